@@ -1,0 +1,2 @@
+// The command `durer`.
+int main() { return 1; }

@@ -1,0 +1,30 @@
+# One target per room of the house (design.md 2). A room's sources are all .cpp files of its folder;
+# its dependencies are the rooms it may include, and check_rooms.py fails the build on any other.
+
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_custom_target(check_rooms ALL
+  COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/cmake/check_rooms.py ${CMAKE_SOURCE_DIR}
+  COMMENT "Checking that rooms include only what they may" VERBATIM)
+
+# durer_room(NAME folder DEPENDS rooms... LIBRARIES imported targets...)
+function(durer_room name folder)
+  cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;EXCLUDE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+  foreach(pattern ${ROOM_EXCLUDE})
+    list(FILTER sources EXCLUDE REGEX ${pattern})
+  endforeach()
+  if(sources)
+    add_library(durer_${name} STATIC ${sources})
+    target_link_libraries(durer_${name} PUBLIC durer_flags PRIVATE ${ROOM_LIBRARIES})
+    foreach(room ${ROOM_DEPENDS})
+      target_link_libraries(durer_${name} PUBLIC durer_${room})
+    endforeach()
+    add_dependencies(durer_${name} check_rooms)
+  else()
+    add_library(durer_${name} INTERFACE)
+    target_link_libraries(durer_${name} INTERFACE durer_flags ${ROOM_LIBRARIES})
+    foreach(room ${ROOM_DEPENDS})
+      target_link_libraries(durer_${name} INTERFACE durer_${room})
+    endforeach()
+  endif()
+endfunction()
