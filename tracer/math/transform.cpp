@@ -1,0 +1,110 @@
+#include "tracer/math/transform.h"
+
+#include <cmath>
+
+namespace durer {
+
+Matrix operator*(const Matrix& first, const Matrix& second) {
+  Matrix product;
+  for (int i = 0; i < 3; ++i) product.row[i] = second.direction(first.row[i]);
+  product.row[3] = second.point(first.row[3]);
+  return product;
+}
+
+Transform Transform::translation(const Vec3& by) {
+  Transform t;
+  t.forward.row[3] = by;
+  t.inverse.row[3] = -by;
+  return t;
+}
+
+Transform Transform::scaling(const Vec3& by) {
+  Transform t;
+  for (int i = 0; i < 3; ++i) {
+    t.forward.row[i] = Vec3(0);
+    t.inverse.row[i] = Vec3(0);
+    t.forward.row[i][i] = by[i];
+    t.inverse.row[i][i] = 1.0 / by[i];
+  }
+  return t;
+}
+
+namespace {
+
+Transform from_orthonormal(const Matrix& m) {
+  Transform t;
+  t.forward = m;
+  for (int i = 0; i < 3; ++i) t.inverse.row[i] = {m.row[0][i], m.row[1][i], m.row[2][i]};
+  return t;
+}
+
+}  // namespace
+
+Transform Transform::rotation(const Vec3& degrees) {
+  const Vec3 angle = degrees * (M_PI / 180.0);
+  Matrix rx, ry, rz;
+  const double cx = std::cos(angle.x), sx = std::sin(angle.x);
+  const double cy = std::cos(angle.y), sy = std::sin(angle.y);
+  const double cz = std::cos(angle.z), sz = std::sin(angle.z);
+  rx.row[1] = {0, cx, sx};
+  rx.row[2] = {0, -sx, cx};
+  ry.row[0] = {cy, 0, -sy};
+  ry.row[2] = {sy, 0, cy};
+  rz.row[0] = {cz, sz, 0};
+  rz.row[1] = {-sz, cz, 0};
+  return from_orthonormal(rx * ry * rz);
+}
+
+Transform Transform::axis_rotation(const Vec3& unit_axis, double radians) {
+  const double c = std::cos(radians), s = std::sin(radians);
+  const double x = unit_axis.x, y = unit_axis.y, z = unit_axis.z;
+  Matrix m;
+  m.row[0] = {x * x + c * (1 - x * x), x * y * (1 - c) + z * s, x * z * (1 - c) - y * s};
+  m.row[1] = {x * y * (1 - c) - z * s, y * y + c * (1 - y * y), y * z * (1 - c) + x * s};
+  m.row[2] = {x * z * (1 - c) + y * s, y * z * (1 - c) - x * s, z * z + c * (1 - z * z)};
+  return from_orthonormal(m);
+}
+
+Transform Transform::from_z_axis(const Vec3& base, const Vec3& unit_axis) {
+  // The rotation axis is z × axis; for axes along ±z any perpendicular will do.
+  Vec3 about(1, 0, 0);
+  if (1.0 - std::abs(unit_axis.z) >= 1e-12) {
+    about = normalize_or_zero({-unit_axis.y, unit_axis.x, 0});
+  }
+  const double cosine = unit_axis.z > 1 ? 1 : (unit_axis.z < -1 ? -1 : unit_axis.z);
+  return axis_rotation(about, std::acos(cosine)).then(translation(base));
+}
+
+bool Transform::from_matrix(const Matrix& m, Transform& result) {
+  const Vec3 a = m.row[0], b = m.row[1], c = m.row[2];
+  const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const double determinant = dot(a, bc);
+  if (determinant == 0 || !std::isfinite(1.0 / determinant)) return false;
+  const double scale = 1.0 / determinant;
+  result.forward = m;
+  for (int i = 0; i < 3; ++i) result.inverse.row[i] = Vec3(bc[i], ca[i], ab[i]) * scale;
+  result.inverse.row[3] = -result.inverse.direction(m.row[3]);
+  return true;
+}
+
+Transform Transform::then(const Transform& next) const {
+  return {forward * next.forward, next.inverse * inverse};
+}
+
+Bounds Transform::bounds(const Bounds& local) const {
+  if (local.is_empty()) return local;
+  if (!local.is_bounded()) return Bounds::everything();
+  // Arvo: each output axis takes the smaller and the larger product of each input axis.
+  Bounds result{forward.row[3], forward.row[3]};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double low = forward.row[i][j] * local.min[i];
+      const double high = forward.row[i][j] * local.max[i];
+      result.min[j] += low < high ? low : high;
+      result.max[j] += low < high ? high : low;
+    }
+  }
+  return result;
+}
+
+}  // namespace durer

@@ -1,0 +1,65 @@
+// Affine maps in POV-Ray's convention: row vectors, p' = p·M, so "A then B" is A·B
+// (spec/language.md 22).
+#pragma once
+
+#include "tracer/math/bounds.h"
+#include "tracer/math/ray.h"
+#include "tracer/math/vector.h"
+
+namespace durer {
+
+// Rows 0..2: the linear part; row 3: the translation.
+struct Matrix {
+  Vec3 row[4]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+
+  Vec3 point(const Vec3& p) const {
+    return p.x * row[0] + p.y * row[1] + p.z * row[2] + row[3];
+  }
+  Vec3 direction(const Vec3& d) const { return d.x * row[0] + d.y * row[1] + d.z * row[2]; }
+  // v times the transposed linear part: a normal by the inverse's matrix.
+  Vec3 transposed_direction(const Vec3& v) const {
+    return {dot(v, row[0]), dot(v, row[1]), dot(v, row[2])};
+  }
+  bool operator==(const Matrix&) const = default;
+};
+
+// first, then second.
+Matrix operator*(const Matrix& first, const Matrix& second);
+
+// A matrix with its inverse. The inverse of a rotation is its transpose, kept, not recomputed.
+struct Transform {
+  Matrix forward;
+  Matrix inverse;
+
+  static Transform translation(const Vec3& by);
+  // Components must be nonzero (the parser replaces zeros by 1 with a warning).
+  static Transform scaling(const Vec3& by);
+  // Degrees about x, then y, then z, left-handed.
+  static Transform rotation(const Vec3& degrees);
+  // About a unit axis by an angle in radians (spec/language.md 22.3).
+  static Transform axis_rotation(const Vec3& unit_axis, double radians);
+  // Takes z to the given unit axis and the origin to base (used by cylinders, cones, discs).
+  static Transform from_z_axis(const Vec3& base, const Vec3& unit_axis);
+  // Inverse by cofactors. False when the matrix is singular (result is then left alone).
+  static bool from_matrix(const Matrix& matrix, Transform& result);
+
+  Transform inverted() const { return {inverse, forward}; }
+  // This, then next.
+  Transform then(const Transform& next) const;
+  bool is_identity() const { return forward == Matrix{}; }
+
+  Vec3 point(const Vec3& p) const { return forward.point(p); }
+  Vec3 direction(const Vec3& d) const { return forward.direction(d); }
+  Vec3 normal(const Vec3& n) const { return inverse.transposed_direction(n); }
+  Vec3 inverse_point(const Vec3& p) const { return inverse.point(p); }
+  Vec3 inverse_direction(const Vec3& d) const { return inverse.direction(d); }
+  Vec3 inverse_normal(const Vec3& n) const { return forward.transposed_direction(n); }
+  // The ray as seen from local space; the parameter is kept (the direction is not renormalised).
+  Ray inverse_ray(const Ray& ray) const {
+    return {inverse.point(ray.origin), inverse.direction(ray.direction)};
+  }
+  // Box of the transformed box; unbounded boxes stay unbounded.
+  Bounds bounds(const Bounds& local) const;
+};
+
+}  // namespace durer
