@@ -1,0 +1,61 @@
+// An object value: a shared shape, or another object, plus what this statement did to it
+// (design.md rule 6). Copying a handle and `object{Tree translate v}` are O(1).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "tracer/scene/shapes.h"
+
+namespace durer {
+
+enum class ObjectFlag : uint8_t {
+  hollow, double_illuminate, no_image, no_reflection, no_radiosity, no_shadow, sturm, hierarchy,
+  split_union, cutaway_textures, uv_mapping, inverse, global_lights,
+};
+
+struct PhotonSettings {  // photons{} of an object (spec/gi.md A1.2)
+  std::optional<double> target;  // spacing multiplier
+  std::optional<bool> refraction, reflection, pass_through, collect;
+};
+
+// The parser has resolved `pigment{}`, `normal{}`, `finish{}` and layering into whole textures.
+struct SetTexture { TexturePtr texture; };
+struct SetInteriorTexture { TexturePtr texture; };
+struct SetInterior { std::shared_ptr<const InteriorNode> interior; };
+struct SetFlag { ObjectFlag flag; bool value; };  // inverse: toggles
+struct AddBounds { std::vector<ObjectPtr> objects; };
+struct AddClips { std::vector<ObjectPtr> objects; };
+struct ShareBoundsAsClips {};  // clipped_by{bounded_by}
+struct ShareClipsAsBounds {};  // bounded_by{clipped_by}
+struct SetPhotons { PhotonSettings photons; };
+struct SetRadiosityImportance { double importance; };
+
+// In the order of the text. A transform acts on what is there at that point.
+using Modifier = std::variant<Transform, SetTexture, SetInteriorTexture, SetInterior, SetFlag,
+                              AddBounds, AddClips, ShareBoundsAsClips, ShareClipsAsBounds,
+                              SetPhotons, SetRadiosityImportance>;
+
+struct ObjectNode {
+  // Exactly one of these: the statement's own shape, or the object that it copies.
+  std::shared_ptr<const ShapeNode> shape;
+  ObjectPtr base;
+  std::vector<Modifier> modifiers;
+  SourcePosition position;
+};
+
+// The textures that an object handle has after its modifiers (what `pigment{}` in a copy starts
+// from, spec/language.md 25).
+struct ResolvedTextures {
+  TexturePtr texture;
+  TexturePtr interior_texture;
+  std::shared_ptr<const InteriorNode> interior;
+  bool uv_mapping = false;
+};
+ResolvedTextures resolve_textures(const ObjectNode& object);
+// The shape at the end of the chain of copies.
+const ShapeNode& shape_of(const ObjectNode& object);
+
+}  // namespace durer
