@@ -1,0 +1,98 @@
+#include "tracer/lights/light.h"
+
+#include <cmath>
+
+namespace durer {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+
+// 0 below low, 1 from high on, a cubic between.
+double smooth_step(double low, double high, double x) {
+  if (x < low) return 0;
+  if (x >= high) return 1;
+  const double u = (x - low) / (high - low);
+  return (3 - 2 * u) * u * u;
+}
+
+}  // namespace
+
+Light::Light(const LightNode& node) : node_(node) {
+  axis_ = normalize_or_zero(node.point_at - node.location);
+  if (node.kind == LightKind::spot) {
+    cos_radius_ = std::cos(node.radius * (M_PI / 180));
+    cos_falloff_ = std::cos(node.falloff * (M_PI / 180));
+  }
+}
+
+LightDirection Light::direction_from(const Vec3& point, const Vec3& center) const {
+  const Vec3 to_center = center - point;
+  if (node_.parallel || node_.kind == LightKind::cylinder) {
+    // The axis of a parallel area light starts at the (jittered) centre.
+    const Vec3 towards = normalize_or_zero(center - node_.point_at);
+    return {towards, dot(to_center, towards)};
+  }
+  const double distance = length(to_center);
+  return {distance > 0 ? to_center / distance : to_center, distance};
+}
+
+double Light::attenuation(const Vec3& point, const Vec3& center,
+                          const LightDirection& to_light) const {
+  double result = 1;
+  if (node_.kind == LightKind::spot) {
+    double cosine = node_.parallel ? 1.0 : -dot(to_light.direction, axis_);
+    if (to_light.distance <= 0 && !node_.parallel) cosine = -cosine;
+    if (cosine <= 0) return 0;
+    result = node_.tightness == 0 ? 1.0 : std::pow(cosine, node_.tightness);
+    if (cos_radius_ > 0 && cosine < cos_radius_) {
+      result *= smooth_step(cos_falloff_, cos_radius_, cosine);
+    }
+  } else if (node_.kind == LightKind::cylinder) {
+    const Vec3 from_center = point - center;
+    const double along = dot(from_center, axis_);
+    if (along <= 0) return 0;
+    const double radial = std::sqrt(std::max(0.0, dot(from_center, from_center) - along * along));
+    if (radial >= node_.falloff) return 0;
+    const double edge = 1 - radial / node_.falloff;
+    result = node_.tightness == 0 ? 1.0 : std::pow(edge, node_.tightness);
+    if (node_.radius > 0 && radial > node_.radius) {
+      result *= smooth_step(0, 1 - node_.radius / node_.falloff, edge);
+    }
+  }
+  if (node_.fade_power > 0 && std::abs(node_.fade_distance) > kEpsilon) {
+    result *= 2 / (1 + std::pow(to_light.distance / node_.fade_distance, node_.fade_power));
+  }
+  return result;
+}
+
+AreaLightGrid::AreaLightGrid(const Light& light, const Vec3& point)
+    : node(light.node()), axis1(light.node().axis1), axis2(light.node().axis2) {
+  if (!node.orient) return;
+  // Turn the disc towards the point, keeping the axes' lengths.
+  const Vec3 towards = normalize_or_zero(node.location - point);
+  const Vec3 helper = std::abs(std::abs(towards.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  const double length1 = length(axis1), length2 = length(axis2);
+  const Vec3 first = normalize_or_zero(cross(towards, helper));
+  axis1 = first * length1;
+  axis2 = normalize_or_zero(cross(towards, first)) * length2;
+}
+
+Vec3 AreaLightGrid::sample(int i, int j, double jitter_i, double jitter_j) const {
+  double u = i, v = j;
+  if (node.jitter) {
+    u += jitter_i - 0.5;
+    v += jitter_j - 0.5;
+  }
+  u = node.size1 > 1 ? u / (node.size1 - 1) - 0.5 : 0.0;
+  v = node.size2 > 1 ? v / (node.size2 - 1) - 0.5 : 0.0;
+  if (node.circular) {
+    u += 0.001;
+    v += 0.001;
+    const double scale = std::max(std::abs(u), std::abs(v)) / std::sqrt(u * u + v * v);
+    u *= scale;
+    v *= scale;
+  }
+  return node.location + u * axis1 + v * axis2;
+}
+
+}  // namespace durer

@@ -1,0 +1,45 @@
+// A light source made ready for shading (spec/shading.md 9).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tracer/scene/light.h"
+
+namespace durer {
+
+// Where a light stands as seen from a point.
+struct LightDirection {
+  Vec3 direction;   // unit, from the point to the light
+  double distance;  // to the light; may be negative behind a parallel light's plane
+};
+
+class Light {
+ public:
+  explicit Light(const LightNode& node);
+
+  const LightNode& node() const { return node_; }
+  // From a light centre (the node's, or an area light's sample).
+  LightDirection direction_from(const Vec3& point, const Vec3& center) const;
+  // Cone, cylinder and distance attenuation of 9.2 for a direction as above.
+  double attenuation(const Vec3& point, const Vec3& center, const LightDirection& to_light) const;
+  // The direction in which the light shines (spot, cylinder, parallel).
+  const Vec3& axis() const { return axis_; }
+
+ private:
+  LightNode node_;
+  Vec3 axis_{0, 0, 1};
+  double cos_radius_ = 1, cos_falloff_ = 1;
+};
+
+// An area light's grid as seen from one point (9.3): sizes, axes after `orient`.
+struct AreaLightGrid {
+  AreaLightGrid(const Light& light, const Vec3& point);
+  // Position of the sample at (i, j), displaced by jitter numbers in [0,1) when the light jitters.
+  Vec3 sample(int i, int j, double jitter_i, double jitter_j) const;
+
+  const LightNode& node;
+  Vec3 axis1, axis2;
+};
+
+}  // namespace durer

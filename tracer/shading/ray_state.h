@@ -1,0 +1,48 @@
+// What a ray carries from surface to surface (design.md 1).
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/math/vector.h"
+#include "tracer/shading/interior_list.h"
+#include "tracer/world/world.h"
+
+namespace durer {
+
+// 380..730 nm split into bands by dispersion; width 0: the ray carries all wavelengths.
+struct SpectralBand {
+  double wavelength = 0;  // centre, nm
+  double width = 0;       // nm
+
+  bool is_monochromatic() const { return width > 0; }
+};
+
+struct TracedRay {
+  Vec3 origin;
+  Vec3 direction;  // unit
+  RayClass kind;
+  int level = 0;
+  float weight = 1;
+  // A hash of the ray's history: pixel, sub-sample and each bounce. Random draws that POV-Ray takes
+  // from a thread's stream are functions of it (design.md rule 4a).
+  uint64_t path = 0;
+  SpectralBand band;
+  InteriorList interiors;
+};
+
+// One more event on a path: spawns `event`-th child of a ray.
+inline uint64_t extend_path(uint64_t path, uint64_t event) {
+  // splitmix64's finaliser (Steele, Lea, Flood 2014) over the pair.
+  uint64_t z = path * 0x9e3779b97f4a7c15ull + event + 0x632be59bd9b4e019ull;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+  return z ^ (z >> 31);
+}
+
+// The counter-th uniform number in [0,1) that `purpose` draws on this path.
+inline double path_random(uint64_t path, uint32_t purpose, uint32_t counter) {
+  const uint64_t bits = extend_path(path, (uint64_t{purpose} << 32) | counter);
+  return static_cast<double>(bits >> 11) * 0x1.0p-53;
+}
+
+}  // namespace durer

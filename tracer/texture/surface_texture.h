@@ -1,0 +1,87 @@
+// Textures compiled for shading: what a surface looks like at a point (spec/textures.md 10-15).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tracer/scene/texture.h"
+
+namespace durer {
+
+// What a texture may ask of the surface besides the point.
+struct TextureContext {
+  Vec3 normal{0, 0, 1};         // unit, facing the ray
+  Vec3 ray_direction{0, 0, 1};  // unit
+  Vec3 world_point{0};
+  Vec2 uv{0};
+};
+
+// What the compilation of textures needs to know of the scene.
+struct TextureSettings {
+  int noise_generator = 2;
+  int number_of_waves = 10;
+  int quality = 9;
+  int effective_version = 370;
+};
+
+class CompiledPigment {
+ public:
+  virtual ~CompiledPigment() = default;
+  // False when the pigment has no colour here (outside a `once` image): then color is <1,1,1,0,1>.
+  virtual bool evaluate(const Vec3& point, const TextureContext& context,
+                        ColorRGBFT& color) const = 0;
+  // True if no point of it can have filter or transmit.
+  virtual bool is_opaque() const = 0;
+};
+
+class CompiledNormal {
+ public:
+  virtual ~CompiledNormal() = default;
+  // The perturbed unit normal.
+  virtual Vec3 perturb(const Vec3& point, const TextureContext& context,
+                       const Vec3& normal) const = 0;
+};
+
+struct TextureLayer {
+  std::shared_ptr<const CompiledPigment> pigment;
+  std::shared_ptr<const CompiledNormal> normal;  // null: none
+  FinishNode finish;
+  float highlight_exponent = 20;  // 1/roughness
+};
+
+struct CompiledTexture;
+
+// A texture and its share of the surface.
+struct WeightedTexture {
+  const CompiledTexture* texture;
+  float weight;
+};
+
+// Chooses among textures by place: texture_map, tiles, average, material_map, uv_mapping.
+class TextureSelector {
+ public:
+  static constexpr int kMostTextures = 256;  // entries of a map (spec/textures.md 10)
+
+  virtual ~TextureSelector() = default;
+  // Writes the textures to blend (weights sum to 1) and the point at which they are looked up.
+  virtual int select(const Vec3& point, const TextureContext& context, Vec3& child_point,
+                     WeightedTexture out[kMostTextures]) const = 0;
+};
+
+// Plain: layers from the top down. Else: a selector over further textures.
+struct CompiledTexture {
+  std::vector<TextureLayer> layers;
+  std::unique_ptr<const TextureSelector> selector;
+  bool is_opaque = true;
+};
+
+// Compiles a texture; what cannot be rendered yet is reported through NotSupported.
+std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& texture,
+                                                       const TextureSettings& settings);
+std::shared_ptr<const CompiledPigment> compile_pigment(const PigmentNode& pigment,
+                                                       const TextureSettings& settings);
+std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& normal,
+                                                     const TextureSettings& settings);
+
+}  // namespace durer

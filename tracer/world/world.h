@@ -1,0 +1,147 @@
+// The scene made ready for rays: immutable while they fly (design.md 1). Shading sees the world only
+// through this header.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tracer/scene/scene.h"
+
+namespace durer {
+
+// Ray-kind flags that decide which objects a ray sees (spec/geometry.md 6.5).
+struct RayClass {
+  bool primary = false;    // straight from the camera
+  bool reflected = false;  // has a reflection in its history, also after refractions
+  bool shadow = false;
+  bool photon = false;
+  bool radiosity = false;
+};
+
+// The least that names a hit; normal and uv are found only after the search.
+struct Hit {
+  double t = 0;          // world distance
+  uint32_t item = 0;     // where in the world's arrays; meaning private to the world
+  uint32_t part = 0;     // side, triangle, component … of that item
+  uint32_t instance = 0; // copy of a shared subtree; 0: none
+  float barycentric_u = 0, barycentric_v = 0;
+};
+
+inline constexpr uint32_t kNoTexture = 0xffffffffu;
+
+// What a surface is made of, by index. One per primitive and copy.
+struct WorldObject {
+  uint32_t texture = kNoTexture;           // index into World::textures()
+  uint32_t interior_texture = kNoTexture;  // used where the ray leaves
+  int interior = 0;                        // index into World::interiors()
+  int light_group = -1;                    // innermost light group, -1: none
+  bool uv_mapping = false;
+  bool double_illuminate = false;
+  bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
+  bool inverted = false;
+  PhotonSettings photons;
+  double radiosity_importance = -1;  // negative: not set
+  SourcePosition position;
+};
+
+// Every object has one (spec/shading.md 11.2); members of a CSG share their parent's.
+struct WorldInterior {
+  std::shared_ptr<const InteriorNode> node;  // null: the implicit one
+  double ior = 1;                            // with "not set" resolved
+  double dispersion = 1;
+  int dispersion_samples = 7;
+  bool hollow = false;
+};
+
+struct TextureShare {
+  uint32_t texture;  // index into World::textures()
+  float weight;
+};
+
+// All about a hit that shading asks for.
+struct SurfacePoint {
+  static constexpr int kMostShares = 64;
+
+  Vec3 point;         // world
+  Vec3 normal;        // unit, raw orientation of the shape incl. its inverse mark (geometry.md 7)
+  Vec2 uv{0};
+  const WorldObject* object = nullptr;
+  // The textures that share the surface, interior texture already chosen: one for most, several for
+  // meshes with texture_list, blobs, cutaway_textures; none: black.
+  int share_count = 0;
+  TextureShare shares[kMostShares];
+};
+
+// A light with its group; positions are final.
+struct WorldLight {
+  std::shared_ptr<const LightNode> node;  // transformed into the world
+  int light_group = -1;                   // -1: shines on all but the members of closed groups
+};
+struct LightGroup {
+  bool global_lights = false;  // members are lit by the global lights, too
+};
+
+
+struct WorldOptions {
+  int bounding_threshold = 3;
+  bool remove_bounds = true;
+  bool split_unions = false;
+};
+
+class World {
+ public:
+  // Throws NotSupported (tracer/scene/not_supported.h).
+  static std::unique_ptr<const World> build(const Scene& scene, const WorldOptions& options);
+  ~World();
+
+  // The nearest hit with 1e-4 <= t < max_t among what this kind of ray sees (geometry.md 2).
+  bool closest_hit(const Vec3& origin, const Vec3& unit_direction, const RayClass& kind,
+                   double max_t, Hit& hit) const;
+  void surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
+                     SurfacePoint& out) const;
+  // True if an object whose textures are all opaque (see set_opaque_textures) and which casts
+  // shadows lies at 1e-3 < t < max_t. Objects that let light through are left to closest_hit.
+  bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t) const;
+  // The nearest hit with one object of projected_objects().
+  bool closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,
+                                double& t) const;
+  // Interiors of the top-level objects that contain a point, in the order of geometry.md 9.
+  // Writes at most `capacity` indices and returns their count.
+  int containing_interiors(const Vec3& point, int* interiors, int capacity) const;
+
+  const std::vector<TexturePtr>& textures() const;
+  const std::vector<WorldInterior>& interiors() const;
+  const std::vector<WorldLight>& lights() const;
+  const std::vector<LightGroup>& light_groups() const;
+  // Set once before rendering, by texture index: whether it can let light through.
+  void set_opaque_textures(std::vector<bool> opaque);
+  // Box of all bounded objects.
+  Bounds bounds() const;
+
+ private:
+  World();
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// One object handle compiled for the language's questions (geometry.md 10); cached by the caller.
+class ObjectQuery {
+ public:
+  static std::shared_ptr<const ObjectQuery> build(const ObjectPtr& object, int effective_version);
+  ~ObjectQuery();
+
+  // trace(): nearest hit from origin along unit_direction; raw normal. False: none.
+  bool trace(const Vec3& origin, const Vec3& unit_direction, Vec3& point, Vec3& normal) const;
+  bool inside(const Vec3& point) const;
+  // The box with POV-Ray's single-precision rounding.
+  Bounds extents() const;
+
+ private:
+  ObjectQuery();
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace durer
