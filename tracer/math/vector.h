@@ -1,6 +1,7 @@
 // Points, directions and colours' carriers: GLM's double vectors under the names the house uses.
 #pragma once
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

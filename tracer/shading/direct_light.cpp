@@ -1,0 +1,256 @@
+#include "tracer/shading/direct_light.h"
+
+#include <array>
+#include <cmath>
+
+namespace durer {
+namespace {
+
+constexpr double kShadowTolerance = 1e-3;
+constexpr double kEpsilon = 1e-10;
+constexpr uint32_t kPurposeAreaLight = 1;
+
+bool is_dark(const RGB& c, double limit = kEpsilon) {
+  return std::abs(c.red) < limit && std::abs(c.green) < limit && std::abs(c.blue) < limit;
+}
+
+double color_distance(const RGB& a, const RGB& b) {
+  return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
+}
+
+// Filters of all layers multiply; `caustics` brightens where the light crosses head-on.
+RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& texture,
+                          const Vec3& point, const TextureContext& context, float caustics) {
+  if (texture.selector) {
+    WeightedTexture children[TextureSelector::kMostTextures];
+    Vec3 child_point;
+    const int count = texture.selector->select(point, context, child_point, children);
+    RGB sum(0.0f);
+    for (int i = 0; i < count; ++i) {
+      sum += children[i].weight * texture_transmittance(scene, *children[i].texture, child_point,
+                                                        context, caustics);
+    }
+    return sum;
+  }
+  RGB product(1.0f);
+  for (const TextureLayer& layer : texture.layers) {
+    ColorRGBFT c;
+    if (!layer.pigment->evaluate(point, context, c)) continue;
+    product *= c.rgb() * c.filter + RGB(c.transmit);
+    const float q = layer.finish.legacy_caustics >= 0 ? layer.finish.legacy_caustics : caustics;
+    if (q != 0) {
+      Vec3 normal = context.normal;
+      if (layer.normal && scene.options.quality >= 8) {
+        normal = layer.normal->perturb(point, context, normal);
+      }
+      const double cosine = std::abs(dot(normal, context.ray_direction));
+      product *= static_cast<float>(1 + std::pow(cosine, q));
+    }
+  }
+  return product;
+}
+
+}  // namespace
+
+RGB interior_fade(const InteriorNode& interior, double segment_length) {
+  const RGB& q = interior.fade_color;
+  const double relative = segment_length / interior.fade_distance;
+  if (interior.fade_power >= 1000) {
+    return {static_cast<float>(std::exp(-(1 - q.red) * relative)),
+            static_cast<float>(std::exp(-(1 - q.green) * relative)),
+            static_cast<float>(std::exp(-(1 - q.blue) * relative))};
+  }
+  const float share =
+      static_cast<float>(1 / (1 + std::pow(relative, static_cast<double>(interior.fade_power))));
+  return q + (RGB(1.0f) - q) * share;
+}
+
+RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface,
+                          const Vec3& direction, const InteriorList& interiors,
+                          double segment_length) {
+  TextureContext context;
+  context.ray_direction = direction;
+  context.normal = dot(surface.normal, direction) > 0 ? -surface.normal : surface.normal;
+  context.world_point = surface.point;
+  context.uv = surface.uv;
+  const Vec3 point =
+      surface.object->uv_mapping ? Vec3(surface.uv.x, surface.uv.y, 0) : surface.point;
+
+  const WorldInterior& interior = scene.world->interiors()[surface.object->interior];
+  const float caustics = interior.node ? 45 * interior.node->caustics : 0;
+  RGB sum(0.0f);
+  for (int i = 0; i < surface.share_count; ++i) {
+    const TextureShare& share = surface.shares[i];
+    if (surface.share_count > 1 && share.weight < scene.scene.settings.adc_bailout) continue;
+    sum += share.weight * texture_transmittance(scene, *scene.textures[share.texture], point,
+                                                context, caustics);
+  }
+  if (interior.node && interior.node->fade_power > 0 &&
+      std::abs(interior.node->fade_distance) > kEpsilon &&
+      interiors.find(surface.object->interior) >= 0) {
+    sum *= interior_fade(*interior.node, segment_length);
+  }
+  return sum;
+}
+
+ArrivingLight DirectLight::unshadowed(int index, const Vec3& point) const {
+  const Light& light = scene_.lights[index];
+  ArrivingLight result;
+  result.direction = light.direction_from(point, light.node().location);
+  // With area_illumination each sample is attenuated by itself, later.
+  const bool per_sample =
+      light.node().area_illumination && light.node().area && scene_.options.quality >= 5;
+  const double attenuation =
+      per_sample ? 1 : light.attenuation(point, light.node().location, result.direction);
+  result.color = light.node().color * static_cast<float>(attenuation);
+  return result;
+}
+
+void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ray,
+                               ArrivingLight& arriving, RayCounts& counts) const {
+  const LightNode& node = scene_.lights[index].node();
+  double margin = 0;
+  if (node.projected_through) {
+    double depth;
+    if (!scene_.world->closest_hit_of_projected(index, point, arriving.direction.direction,
+                                                depth) ||
+        depth >= arriving.direction.distance) {
+      arriving.color = RGB(0.0f);
+      return;
+    }
+    margin = arriving.direction.distance - depth + kShadowTolerance;
+  }
+  if (scene_.options.quality < 4 || (node.shadowless && !node.projected_through)) return;
+  if (ray.level > scene_.scene.settings.max_trace_level) {
+    arriving.color = RGB(0.0f);
+    return;
+  }
+  if (node.area && scene_.options.quality >= 5) {
+    arriving.color = area_shadow(index, point, ray, margin, arriving.color, counts);
+  } else {
+    trace_shadow(index, point, arriving.direction, ray, margin, arriving.color, counts);
+  }
+}
+
+void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirection& to_light,
+                               const TracedRay& ray, double margin, RGB& color,
+                               RayCounts& counts) const {
+  ++counts.shadow;
+  double remaining = to_light.distance;
+  if (remaining <= kShadowTolerance) return;
+  const World& world = *scene_.world;
+  // Most shadow rays are stopped by something opaque or by nothing.
+  if (world.occluded_by_opaque(point, to_light.direction,
+                               remaining - std::max(margin, kShadowTolerance))) {
+    color = RGB(0.0f);
+    return;
+  }
+  RayClass kind;
+  kind.shadow = true;
+  InteriorList interiors = ray.interiors;
+  Vec3 origin = point;
+  const LightNode& light = scene_.lights[index].node();
+  const bool through_air = light.media_interaction && light.media_attenuation &&
+                           scene_.options.quality >= 9 && scene_.atmosphere.has_fog();
+  for (;;) {
+    Hit hit;
+    // Nothing nearer than the tolerance counts, at either end.
+    const Vec3 start = origin + kShadowTolerance * to_light.direction;
+    if (!world.closest_hit(start, to_light.direction, kind,
+                           remaining - margin - kShadowTolerance, hit)) {
+      break;
+    }
+    const double depth = hit.t + kShadowTolerance;
+    if (depth >= remaining - kShadowTolerance || remaining - depth <= margin) break;
+    SurfacePoint surface;
+    world.surface_point(start, to_light.direction, hit, surface);
+    color *= surface_transmittance(scene_, surface, to_light.direction, interiors, depth);
+    if (is_dark(color)) {
+      color = RGB(0.0f);
+      return;
+    }
+    if (through_air) {
+      float ignored = 0;
+      scene_.atmosphere.apply_fog(origin, to_light.direction, depth, true, color, ignored);
+    }
+    interiors.toggle(surface.object->interior);
+    origin = surface.point;
+    remaining -= depth;
+  }
+  if (through_air && remaining > kShadowTolerance) {
+    float ignored = 0;
+    scene_.atmosphere.apply_fog(origin, to_light.direction, remaining, true, color, ignored);
+  }
+}
+
+namespace {
+
+// The hierarchical mean of an area light's grid (9.3). Grid points are traced once each.
+template <typename Sample>
+class AreaSampler {
+ public:
+  AreaSampler(int adaptive, Sample& sample) : adaptive_(adaptive), sample_(sample) {}
+
+  RGB mean(int u1, int v1, int u2, int v2, int level) {
+    RGB corner[4] = {sample_(u1, v1), sample_(u2, v1), sample_(u1, v2), sample_(u2, v2)};
+    if (u2 - u1 > 1 || v2 - v1 > 1) {
+      const bool uneven = color_distance(corner[0], corner[1]) > 0.1 ||
+                          color_distance(corner[1], corner[3]) > 0.1 ||
+                          color_distance(corner[3], corner[2]) > 0.1 ||
+                          color_distance(corner[2], corner[0]) > 0.1;
+      if (level < adaptive_ || uneven) {
+        const int u_low = (u1 + u2) / 2, u_high = (u1 + u2 + 1) / 2;
+        const int v_low = (v1 + v2) / 2, v_high = (v1 + v2 + 1) / 2;
+        corner[0] = mean(u1, v1, u_low, v_low, level + 1);
+        corner[1] = mean(u_high, v1, u2, v_low, level + 1);
+        corner[2] = mean(u1, v_high, u_low, v2, level + 1);
+        corner[3] = mean(u_high, v_high, u2, v2, level + 1);
+      }
+    }
+    return 0.25f * (corner[0] + corner[1] + corner[2] + corner[3]);
+  }
+
+ private:
+  int adaptive_;
+  Sample& sample_;
+};
+
+}  // namespace
+
+RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray, double margin,
+                             const RGB& color, RayCounts& counts) const {
+  const Light& light = scene_.lights[index];
+  const LightNode& node = light.node();
+  const AreaLightGrid grid(light, point);
+  const int columns = node.size1, rows = node.size2;
+
+  // Grids up to this size are cached on the stack, larger ones are traced again when asked again:
+  // the jitter is a function of the grid point, so the answers agree.
+  constexpr int kMostCached = 1024;
+  std::array<RGB, kMostCached> cache;
+  std::array<bool, kMostCached> known;
+  const bool cached = columns * rows <= kMostCached;
+  if (cached) std::fill_n(known.begin(), columns * rows, false);
+
+  auto sample = [&](int i, int j) {
+    const int cell = j * columns + i;
+    if (cached && known[cell]) return cache[cell];
+    const uint32_t counter = static_cast<uint32_t>(cell) * 2;
+    const uint32_t purpose = kPurposeAreaLight + 16 * static_cast<uint32_t>(index);
+    const Vec3 center = node.jitter
+                            ? grid.sample(i, j, path_random(ray.path, purpose, counter),
+                                          path_random(ray.path, purpose, counter + 1))
+                            : grid.sample(i, j, 0, 0);
+    RGB arriving = color;
+    trace_shadow(index, point, light.direction_from(point, center), ray, margin, arriving,
+                 counts);
+    if (cached) {
+      known[cell] = true;
+      cache[cell] = arriving;
+    }
+    return arriving;
+  };
+  return AreaSampler(node.adaptive, sample).mean(0, 0, columns - 1, rows - 1, 0);
+}
+
+}  // namespace durer

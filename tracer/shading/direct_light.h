@@ -1,0 +1,44 @@
+// How much of a light reaches a point: shadow rays, area lights, transparent shadows
+// (spec/shading.md 9.3, 10).
+#pragma once
+
+#include "tracer/shading/integrator.h"
+#include "tracer/shading/shading_scene.h"
+
+namespace durer {
+
+// The light of one source at a point, after cone, distance and shadows.
+struct ArrivingLight {
+  RGB color{0.0f};  // black: nothing arrives
+  LightDirection direction;
+};
+
+class DirectLight {
+ public:
+  explicit DirectLight(const ShadingScene& scene) : scene_(scene) {}
+
+  // Direction and unshadowed colour of 9.1 and 9.2.
+  ArrivingLight unshadowed(int light, const Vec3& point) const;
+  // Takes from `arriving` what lies between point and light. `ray` is the ray that saw the point.
+  void apply_shadow(int light, const Vec3& point, const TracedRay& ray, ArrivingLight& arriving,
+                    RayCounts& counts) const;
+
+ private:
+  // Follows one shadow ray from the point to `center`; multiplies color.
+  void trace_shadow(int light, const Vec3& point, const LightDirection& to_light,
+                    const TracedRay& ray, double margin, RGB& color, RayCounts& counts) const;
+  RGB area_shadow(int light, const Vec3& point, const TracedRay& ray, double margin,
+                  const RGB& color, RayCounts& counts) const;
+
+  const ShadingScene& scene_;
+};
+
+// The share of light that a surface lets through, per channel (10.3). `interiors`: of the ray.
+RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface,
+                          const Vec3& direction, const InteriorList& interiors,
+                          double segment_length);
+
+// The fade of an interior over a segment (11.5).
+RGB interior_fade(const InteriorNode& interior, double length);
+
+}  // namespace durer

@@ -1,0 +1,38 @@
+// The world with everything that shading looks up by index: compiled textures, lights, interiors.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/lights/light.h"
+#include "tracer/texture/surface_texture.h"
+#include "tracer/volumes/atmosphere.h"
+#include "tracer/world/world.h"
+
+namespace durer {
+
+struct ShadingOptions {
+  int quality = 9;            // 0..9 (spec/shading.md 15)
+  bool output_alpha = false;  // +UA: the background is transparent
+};
+
+struct ShadingScene {
+  // Throws NotSupported for what something visible needs and shading cannot do yet.
+  ShadingScene(const Scene& scene, std::unique_ptr<World> world, const ShadingOptions& options);
+
+  const Scene& scene;
+  std::unique_ptr<World> world;
+  ShadingOptions options;
+  bool new_opacity_rule;  // effective version >= 3.7 (spec/shading.md 16)
+  std::vector<std::shared_ptr<const CompiledTexture>> textures;  // by world index
+  std::vector<Light> lights;                                     // by world index
+  // Which lights shine on the members of a group: lists of light indices; entry 0: outside groups.
+  std::vector<std::vector<int>> lights_by_group;
+  Atmosphere atmosphere;
+
+  const std::vector<int>& lights_of(const WorldObject& object) const {
+    return lights_by_group[object.light_group + 1];
+  }
+};
+
+}  // namespace durer

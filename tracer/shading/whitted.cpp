@@ -1,0 +1,380 @@
+#include "tracer/shading/whitted.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/shading/reflectance.h"
+
+namespace durer {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+constexpr double kFar = 2e10;
+constexpr uint32_t kPurposeCrand = 2;
+constexpr uint32_t kPurposeRainbow = 3;
+constexpr uint32_t kPurposeAreaIllumination = 4;
+constexpr uint64_t kEventReflection = 1;
+
+bool is_dark(const RGB& c) {
+  return std::abs(c.red) <= kEpsilon && std::abs(c.green) <= kEpsilon &&
+         std::abs(c.blue) <= kEpsilon;
+}
+
+// At most this many layers of a texture reflect; deeper ones are below adc_bailout in practice.
+constexpr int kMostReflections = 32;
+
+}  // namespace
+
+struct WhittedIntegrator::ReflectedLayer {
+  const TextureLayer* layer;
+  Vec3 normal;
+  RGB reflectivity;
+  float weight;
+};
+
+RayResult WhittedIntegrator::trace(const TracedRay& ray, RayCounts& counts) const {
+  RayResult result;
+  const GlobalSettings& settings = scene_.scene.settings;
+  if (ray.level >= settings.max_trace_level || ray.weight < settings.adc_bailout) return result;
+
+  Hit hit;
+  const bool met =
+      scene_.world->closest_hit(ray.origin, ray.direction, ray.kind, kFar, hit);
+  if (met) {
+    SurfacePoint surface;
+    scene_.world->surface_point(ray.origin, ray.direction, hit, surface);
+    result.depth = hit.t;
+    shade_surface(ray, surface, hit.t, counts, result);
+  } else {
+    scene_.atmosphere.background(ray.direction, !ray.kind.reflected, result.color,
+                                 result.transmit);
+  }
+
+  // What lies in the air, if the ray is in the air.
+  const bool airy = scene_.atmosphere.has_fog() || scene_.atmosphere.has_rainbow();
+  if (airy && scene_.options.quality >= 9) {
+    const auto& interiors = scene_.world->interiors();
+    const bool hollow = std::all_of(ray.interiors.begin(), ray.interiors.end(),
+                                    [&](int i) { return interiors[i].hollow; });
+    if (hollow) {
+      if (scene_.atmosphere.has_rainbow()) {
+        scene_.atmosphere.apply_rainbow(ray.direction, result.depth,
+                                        path_random(ray.path, kPurposeRainbow, 0), result.color,
+                                        result.transmit);
+      }
+      scene_.atmosphere.apply_fog(ray.origin, ray.direction, result.depth, false, result.color,
+                                  result.transmit);
+    }
+  }
+  return result;
+}
+
+void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& surface,
+                                      double depth, RayCounts& counts, RayResult& result) const {
+  const int interior = surface.object->interior;
+  SurfaceHit hit{surface, scene_.world->interiors()[interior], {}, depth,
+                 ray.interiors.find(interior) >= 0};
+  hit.context.ray_direction = ray.direction;
+  hit.context.normal =
+      dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
+  hit.context.world_point = surface.point;
+  hit.context.uv = surface.uv;
+  const Vec3 point =
+      surface.object->uv_mapping ? Vec3(surface.uv.x, surface.uv.y, 0) : surface.point;
+
+  if (surface.share_count == 1) {
+    shade_texture(ray, hit, *scene_.textures[surface.shares[0].texture], point, counts,
+                  result.color, result.transmit);
+    return;
+  }
+  for (int i = 0; i < surface.share_count; ++i) {
+    const TextureShare& share = surface.shares[i];
+    if (share.weight < scene_.scene.settings.adc_bailout) continue;
+    RGB color(0.0f);
+    float transmit = 0;
+    shade_texture(ray, hit, *scene_.textures[share.texture], point, counts, color, transmit);
+    result.color += share.weight * color;
+    result.transmit += share.weight * transmit;
+  }
+}
+
+void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hit,
+                                      const CompiledTexture& texture, const Vec3& point,
+                                      RayCounts& counts, RGB& color, float& transmit) const {
+  // Patterned textures shade every child completely and blend the results.
+  if (texture.selector) {
+    WeightedTexture children[TextureSelector::kMostTextures];
+    Vec3 child_point;
+    const int count = texture.selector->select(point, hit.context, child_point, children);
+    for (int i = 0; i < count; ++i) {
+      RGB child_color(0.0f);
+      float child_transmit = 0;
+      shade_texture(ray, hit, *children[i].texture, child_point, counts, child_color,
+                    child_transmit);
+      color += children[i].weight * child_color;
+      transmit += children[i].weight * child_transmit;
+    }
+    return;
+  }
+
+  const int quality = scene_.options.quality;
+  const double bailout = scene_.scene.settings.adc_bailout;
+  RGB filter(1.0f);
+  float trans = 1;
+  bool found_any = false;
+  Vec3 top_normal = hit.context.normal;
+  ReflectedLayer reflected[kMostReflections];
+  int reflected_count = 0;
+  const TextureLayer* first_layer = nullptr;
+
+  for (const TextureLayer& layer : texture.layers) {
+    if (trans <= bailout) break;
+    // The layer's normal and colour.
+    Vec3 normal = hit.context.normal;
+    if (layer.normal && quality >= 8) normal = layer.normal->perturb(point, hit.context, normal);
+    if (!first_layer) {
+      first_layer = &layer;
+      top_normal = normal;
+    }
+    ColorRGBFT pigment;
+    const bool found = layer.pigment->evaluate(point, hit.context, pigment);
+    found_any |= found;
+
+    // Without lighting the picture is the pigment.
+    if (quality <= 1) {
+      color = pigment.rgb();
+    } else {
+      const FinishNode& finish = layer.finish;
+      Reflectivity mirror;
+      if (recursive_ && (!finish.reflection_max.is_black() || !finish.reflection_min.is_black())) {
+        double relative_ior = 1;
+        if (finish.reflection_fresnel) {
+          const double ior =
+              finish.legacy_ior >= 0 ? static_cast<double>(finish.legacy_ior) : hit.interior.ior;
+          if (ray.interiors.empty()) {
+            relative_ior = ior;
+          } else if (hit.inside_interior) {
+            relative_ior = ray.interiors.size() == 1
+                               ? 1 / ior
+                               : scene_.world->interiors()[ray.interiors.last()].ior / ior;
+          } else {
+            relative_ior = ior / scene_.world->interiors()[ray.interiors.last()].ior;
+          }
+        }
+        mirror = reflectivity(finish, -dot(ray.direction, normal), relative_ior, pigment.rgb());
+        if (!mirror.color.is_black() && reflected_count < kMostReflections) {
+          reflected[reflected_count++] = {&layer, normal, mirror.color,
+                                          ray.weight * trans * mirror.weight};
+        }
+      }
+      const float opacity =
+          scene_.new_opacity_rule
+              ? 1 - pigment.filter - pigment.transmit
+              : 1 - (pigment.filter * pigment.rgb().max_component() + pigment.transmit);
+      color += filter * shade_layer(ray, hit, layer, pigment, normal, opacity, counts);
+      if (found && finish.conserve_energy) {
+        filter *= RGB(std::min(1.0f, 1 - mirror.color.red), std::min(1.0f, 1 - mirror.color.green),
+                      std::min(1.0f, 1 - mirror.color.blue));
+      }
+    }
+    if (found) filter *= pigment.rgb() * pigment.filter + RGB(pigment.transmit);
+    trans = std::min(1.0f, std::abs(filter.grey()));
+  }
+  if (!first_layer || quality <= 1) return;
+
+  // Light from behind.
+  bool total_reflection = false;
+  if (trans > bailout && quality >= 6 && recursive_) {
+    const float weight =
+        ray.weight * std::max({std::abs(filter.red), std::abs(filter.green), std::abs(filter.blue)});
+    total_reflection = transmit_ray(ray, hit, *first_layer, top_normal, weight, filter, found_any,
+                                    counts, color, transmit);
+    if (found_any) transmit *= trans;
+  }
+
+  // Light that the layers mirror.
+  if (quality < 8 || !recursive_) return;
+  for (int i = 0; i < reflected_count; ++i) {
+    const ReflectedLayer& mirror = reflected[i];
+    const Vec3 difference = glm::abs(mirror.normal - top_normal);
+    if (total_reflection && difference.x <= kEpsilon && difference.y <= kEpsilon &&
+        difference.z <= kEpsilon) {
+      continue;
+    }
+    RGB seen = reflect(ray, hit, mirror.normal, *mirror.layer, mirror.weight, counts);
+    const float exponent = mirror.layer->finish.reflection_exponent;
+    if (exponent != 1) {
+      seen = {std::pow(seen.red, 1 / exponent), std::pow(seen.green, 1 / exponent),
+              std::pow(seen.blue, 1 / exponent)};
+    }
+    color += mirror.reflectivity * seen;
+  }
+}
+
+RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
+                                   const TextureLayer& layer, const ColorRGBFT& pigment,
+                                   const Vec3& normal, float opacity, RayCounts& counts) const {
+  const FinishNode& finish = layer.finish;
+  const RGB base = pigment.rgb();
+  RGB sum(0.0f);
+  sum += base * finish.ambient * scene_.scene.settings.ambient_light * opacity;
+  sum += base * finish.emission * opacity;
+  if (finish.diffuse == 0 && finish.diffuse_back == 0 && finish.specular == 0 &&
+      finish.phong == 0) {
+    return sum;
+  }
+  for (int light : scene_.lights_of(*hit.surface.object)) {
+    sum += light_contribution(ray, hit, layer, pigment, normal, opacity, light, counts);
+  }
+  return sum;
+}
+
+namespace {
+
+// Diffuse, phong, specular of one direction of light (8.3, 8.4), without the light's colour:
+// `diffuse` multiplies the pigment, `highlight` the metallic tint.
+struct LobeShares {
+  float diffuse = 0;
+  float highlight = 0;
+};
+
+LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, const Vec3& normal,
+                       const Vec3& to_light, float diffuse, float opacity, bool highlights) {
+  const FinishNode& finish = layer.finish;
+  LobeShares shares;
+  if (diffuse > 0) {
+    double cosine = std::abs(dot(normal, to_light));
+    if (finish.brilliance != 1) cosine = std::pow(cosine, static_cast<double>(finish.brilliance));
+    shares.diffuse = static_cast<float>(cosine * diffuse * opacity);
+  }
+  if (!highlights) return shares;
+  if (finish.phong > 0) {
+    const double p = dot(mirrored(ray_direction, normal), to_light);
+    if (p > 0 && (finish.phong_size < 60 || p > 0.0008)) {
+      shares.highlight +=
+          static_cast<float>(finish.phong * std::pow(p, static_cast<double>(finish.phong_size)));
+    }
+  }
+  if (finish.specular > 0) {
+    const Vec3 half = 0.5 * (to_light - ray_direction);
+    const double size = length(half);
+    const double q = size > 0 ? dot(half, normal) / size : 0;
+    if (q > 0) {
+      shares.highlight += static_cast<float>(
+          finish.specular * std::pow(q, static_cast<double>(layer.highlight_exponent)));
+    }
+  }
+  return shares;
+}
+
+}  // namespace
+
+RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit& hit,
+                                          const TextureLayer& layer, const ColorRGBFT& pigment,
+                                          const Vec3& normal, float opacity, int index,
+                                          RayCounts& counts) const {
+  const FinishNode& finish = layer.finish;
+  const Light& light = scene_.lights[index];
+  const LightNode& node = light.node();
+  const Vec3& point = hit.surface.point;
+  ArrivingLight arriving = direct_light_.unshadowed(index, point);
+  if (is_dark(arriving.color)) return RGB(0.0f);
+
+  // Which side of the surface does the light see?
+  bool backside = false;
+  if (!hit.surface.object->double_illuminate && !node.area_illumination) {
+    if (dot(normal, arriving.direction.direction) < kEpsilon) {
+      if (finish.diffuse_back == 0) return RGB(0.0f);
+      backside = true;
+    }
+  }
+  direct_light_.apply_shadow(index, point, ray, arriving, counts);
+  if (is_dark(arriving.color)) return RGB(0.0f);
+
+  const RGB base = pigment.rgb();
+  const bool may_shine = !node.shadowless && !ray.kind.radiosity;
+  RGB sum(0.0f);
+  auto add = [&](const Vec3& to_light, const RGB& light_color, bool from_behind,
+                 uint32_t draw) {
+    LobeShares shares =
+        lobe_shares(layer, ray.direction, normal, to_light,
+                    from_behind ? finish.diffuse_back : finish.diffuse, opacity,
+                    may_shine && !from_behind);
+    if (finish.crand > 0) {
+      const uint32_t purpose = kPurposeCrand + 16 * static_cast<uint32_t>(index);
+      shares.diffuse -= finish.crand * static_cast<float>(path_random(ray.path, purpose, draw));
+    }
+    sum += shares.diffuse * base * light_color;
+    if (shares.highlight != 0) {
+      RGB shine = shares.highlight * light_color;
+      if (finish.metallic > 0) {
+        shine *= metallic_tint(finish.metallic, dot(normal, to_light), base);
+      }
+      sum += shine;
+    }
+  };
+
+  if (node.area_illumination && node.area && scene_.options.quality >= 5) {
+    // Every grid point lights the surface from its own direction.
+    const AreaLightGrid grid(light, point);
+    const RGB part = arriving.color * (1.0f / static_cast<float>(node.size1 * node.size2));
+    for (int j = 0; j < node.size2; ++j) {
+      for (int i = 0; i < node.size1; ++i) {
+        const uint32_t cell = static_cast<uint32_t>(j * node.size1 + i);
+        const uint32_t purpose = kPurposeAreaIllumination + 16 * static_cast<uint32_t>(index);
+        const Vec3 center = grid.sample(i, j, path_random(ray.path, purpose, 2 * cell),
+                                        path_random(ray.path, purpose, 2 * cell + 1));
+        const LightDirection to_sample = light.direction_from(point, center);
+        const float attenuation =
+            static_cast<float>(light.attenuation(point, center, to_sample));
+        bool behind = false;
+        if (!hit.surface.object->double_illuminate &&
+            dot(normal, to_sample.direction) < kEpsilon) {
+          if (finish.diffuse_back == 0) continue;
+          behind = true;
+        }
+        add(to_sample.direction, part * attenuation, behind, cell);
+      }
+    }
+  } else {
+    add(arriving.direction.direction, arriving.color, backside, 0);
+  }
+
+  if (finish.irid.amount > 0) {
+    sum *= irid_factor(finish.irid, finish.irid.thickness,
+                       std::abs(dot(normal, arriving.direction.direction)) +
+                           std::abs(dot(normal, ray.direction)),
+                       scene_.scene.settings.irid_wavelength);
+  }
+  return sum;
+}
+
+RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, const Vec3& normal,
+                               const TextureLayer& layer, float weight, RayCounts& counts) const {
+  ++counts.reflected;
+  const Vec3& geometric = hit.context.normal;
+  Vec3 direction = mirrored(ray.direction, normal);
+  // A bumped normal may send the ray into the surface: turn it out again.
+  if (dot(direction, geometric) < 0) {
+    direction = dot(direction, normal) < 0 ? mirrored(ray.direction, geometric)
+                                           : mirrored(direction, geometric);
+  }
+  TracedRay next = ray;
+  next.origin = hit.surface.point;
+  next.direction = normalize_or_zero(direction);
+  next.kind.primary = false;
+  next.kind.reflected = true;
+  next.level = ray.level + 1;
+  next.weight = weight;
+  next.path = extend_path(ray.path, kEventReflection);
+  RGB seen = trace(next, counts).color;
+  if (layer.finish.irid.amount > 0) {
+    seen *= irid_factor(layer.finish.irid, layer.finish.irid.thickness,
+                        std::abs(dot(normal, next.direction)) +
+                            std::abs(dot(normal, ray.direction)),
+                        scene_.scene.settings.irid_wavelength);
+  }
+  return seen;
+}
+
+}  // namespace durer
