@@ -1,0 +1,243 @@
+#include "tracer/sampling/antialiasing.h"
+
+#include <cmath>
+#include <vector>
+
+#include "tracer/sampling/jitter.h"
+
+namespace durer {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+
+PixelColor operator+(const PixelColor& a, const PixelColor& b) {
+  return {a.color + b.color, a.transmit + b.transmit};
+}
+
+PixelColor scaled(const PixelColor& c, float factor) {
+  return {c.color * factor, c.transmit * factor};
+}
+
+bool inside(const PixelWindow& window, int x, int y) {
+  return x >= window.left && x < window.right && y >= window.top && y < window.bottom;
+}
+
+}  // namespace
+
+SampleContrast::SampleContrast(const Scene& scene, const RenderOptions& options)
+    : gamma_kind_(scene.settings.gamma_kind),
+      decode_exponent_(gamma_kind_ == AssumedGamma::power
+                           ? static_cast<float>(scene.settings.assumed_gamma)
+                           : 1.0f),
+      encode_exponent_(static_cast<float>(1 / options.antialias_gamma)),
+      threshold_(options.antialias_threshold) {
+  if (options.antialias_gamma <= 0 || std::abs(options.antialias_gamma - 1) <= 0.01) {
+    encode_exponent_ = 1;
+  }
+}
+
+float SampleContrast::encode(float value) const {
+  if (gamma_kind_ == AssumedGamma::srgb) {
+    value = value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+  } else if (decode_exponent_ != 1) {
+    value = std::pow(std::max(value, 0.0f), decode_exponent_);
+  }
+  return encode_exponent_ == 1 ? value : std::pow(std::max(value, 0.0f), encode_exponent_);
+}
+
+bool SampleContrast::differ(const PixelColor& a, const PixelColor& b) const {
+  double difference = std::abs(a.transmit - b.transmit);
+  if (a.color == b.color) return difference >= threshold_;
+  difference += std::abs(encode(a.color.red) - encode(b.color.red));
+  difference += std::abs(encode(a.color.green) - encode(b.color.green));
+  difference += std::abs(encode(a.color.blue) - encode(b.color.blue));
+  return difference >= threshold_;
+}
+
+void render_block_without_antialiasing(const PixelSampler& sampler, const PixelWindow& block,
+                                       const PixelWindow& window, Framebuffer& framebuffer,
+                                       RenderStatistics& statistics) {
+  for (int y = std::max(block.top, window.top); y < std::min(block.bottom, window.bottom); ++y) {
+    for (int x = std::max(block.left, window.left); x < std::min(block.right, window.right);
+         ++x) {
+      framebuffer.at(x, y) = sampler.sample(x, y, statistics);
+    }
+  }
+}
+
+void render_block_method1(const PixelSampler& sampler, const SampleContrast& contrast,
+                          const RenderOptions& options, const PixelWindow& block,
+                          const PixelWindow& window, Framebuffer& framebuffer,
+                          RenderStatistics& statistics) {
+  const int width = block.right - block.left + 1;  // with the column to the left
+  struct Cell {
+    PixelColor color;
+    bool supersampled = false;
+  };
+  std::vector<Cell> above(width), current(width);
+
+  const int k = options.antialias_depth;
+  const double amplitude = options.jitter_amount / k;
+  const double reach = 0.5 - 1.0 / (2 * k);
+  auto supersample = [&](int x, int y, Cell& cell) {
+    PixelColor sum = cell.color;
+    for (double oy = -reach; oy <= reach + kEpsilon; oy += 1.0 / k) {
+      for (double ox = -reach; ox <= reach + kEpsilon; ox += 1.0 / k) {
+        double sx = x + ox, sy = y + oy;
+        if (amplitude > 0) {
+          const Vec2 jitter = sample_jitter(sx, sy);
+          sx += amplitude * jitter.x;
+          sy += amplitude * jitter.y;
+        }
+        sum = sum + sampler.sample(sx, sy, statistics);
+      }
+    }
+    cell.color = scaled(sum, 1.0f / static_cast<float>(k * k + 1));
+    cell.supersampled = true;
+    if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;
+  };
+
+  // The row above and the column to the left only serve comparison.
+  for (int i = 1; i < width; ++i) {
+    above[i] = {sampler.sample(block.left + i - 1, block.top - 1, statistics), true};
+  }
+  for (int y = block.top; y < block.bottom; ++y) {
+    current[0] = {sampler.sample(block.left - 1, y, statistics), true};
+    for (int i = 1; i < width; ++i) {
+      const int x = block.left + i - 1;
+      Cell& cell = current[i];
+      cell = {sampler.sample(x, y, statistics), false};
+      if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;
+      const bool left_differs = contrast.differ(current[i - 1].color, cell.color);
+      const bool top_differs = contrast.differ(above[i].color, cell.color);
+      if (left_differs && !current[i - 1].supersampled) supersample(x - 1, y, current[i - 1]);
+      if (top_differs && !above[i].supersampled) supersample(x, y - 1, above[i]);
+      if (left_differs || top_differs) supersample(x, y, cell);
+    }
+    std::swap(above, current);
+  }
+}
+
+namespace {
+
+// The samples of one pixel for method 2: a grid of (2^depth + 1)^2 places, filled on demand.
+class PixelSubdivision {
+ public:
+  PixelSubdivision(const PixelSampler& sampler, const SampleContrast& contrast,
+                   const RenderOptions& options, RenderStatistics& statistics)
+      : sampler_(sampler),
+        contrast_(contrast),
+        statistics_(statistics),
+        depth_(options.antialias_depth),
+        side_((1 << depth_) + 1),
+        amplitude_(options.jitter_amount / side_),
+        color_(static_cast<size_t>(side_) * side_),
+        known_(color_.size()) {}
+
+  PixelColor pixel(int x, int y, const PixelColor corners[4]) {
+    std::fill(known_.begin(), known_.end(), char{0});
+    const int last = side_ - 1;
+    store(0, 0, corners[0]);
+    store(last, 0, corners[1]);
+    store(0, last, corners[2]);
+    store(last, last, corners[3]);
+    return square(0, 0, last, last, x, y, 0.5, depth_ - 1);
+  }
+
+ private:
+  void store(int i, int j, const PixelColor& c) {
+    color_[j * side_ + i] = c;
+    known_[j * side_ + i] = 1;
+  }
+  const PixelColor& get(int i, int j) const { return color_[j * side_ + i]; }
+  void ensure(int i, int j, double x, double y) {
+    if (known_[j * side_ + i]) return;
+    if (amplitude_ > 0) {
+      const Vec2 jitter = sample_jitter(x, y);
+      x += amplitude_ * jitter.x;
+      y += amplitude_ * jitter.y;
+    }
+    store(i, j, sampler_.sample(x, y, statistics_));
+  }
+
+  PixelColor square(int i0, int j0, int i1, int j1, double x, double y, double d, int level) {
+    const PixelColor &a = get(i0, j0), &b = get(i1, j0), &c = get(i0, j1), &e = get(i1, j1);
+    if (level > 0 && (contrast_.differ(a, b) || contrast_.differ(a, c) || contrast_.differ(a, e) ||
+                      contrast_.differ(b, c) || contrast_.differ(b, e) || contrast_.differ(c, e))) {
+      const int im = (i0 + i1) / 2, jm = (j0 + j1) / 2;
+      ensure(i0, jm, x - d, y);
+      ensure(im, j0, x, y - d);
+      ensure(i1, jm, x + d, y);
+      ensure(im, j1, x, y + d);
+      ensure(im, jm, x, y);
+      const double h = d / 2;
+      const PixelColor upper_left = square(i0, j0, im, jm, x - h, y - h, h, level - 1);
+      const PixelColor lower_left = square(i0, jm, im, j1, x - h, y + h, h, level - 1);
+      const PixelColor upper_right = square(im, j0, i1, jm, x + h, y - h, h, level - 1);
+      const PixelColor lower_right = square(im, jm, i1, j1, x + h, y + h, h, level - 1);
+      return scaled(upper_left + lower_left + upper_right + lower_right, 0.25f);
+    }
+    return scaled(a + b + c + e, 0.25f);
+  }
+
+  const PixelSampler& sampler_;
+  const SampleContrast& contrast_;
+  RenderStatistics& statistics_;
+  int depth_, side_;
+  double amplitude_;
+  std::vector<PixelColor> color_;
+  std::vector<char> known_;
+};
+
+}  // namespace
+
+void render_block_method2(const PixelSampler& sampler, const SampleContrast& contrast,
+                          const RenderOptions& options, const PixelWindow& block,
+                          const PixelWindow& window, Framebuffer& framebuffer,
+                          RenderStatistics& statistics) {
+  // All corners of the block's pixels first, without jitter.
+  const int columns = block.right - block.left + 1, rows = block.bottom - block.top + 1;
+  std::vector<PixelColor> corners(static_cast<size_t>(columns) * rows);
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      corners[j * columns + i] =
+          sampler.sample(block.left + i - 0.5, block.top + j - 0.5, statistics);
+    }
+  }
+  PixelSubdivision subdivision(sampler, contrast, options, statistics);
+  for (int y = block.top; y < block.bottom; ++y) {
+    for (int x = block.left; x < block.right; ++x) {
+      if (!inside(window, x, y)) continue;
+      const size_t at = static_cast<size_t>(y - block.top) * columns + (x - block.left);
+      const PixelColor pixel_corners[4] = {corners[at], corners[at + 1], corners[at + columns],
+                                           corners[at + columns + 1]};
+      framebuffer.at(x, y) = subdivision.pixel(x, y, pixel_corners);
+    }
+  }
+}
+
+void render_block_grid(const PixelSampler& sampler, const RenderOptions& options, bool jittered,
+                       const PixelWindow& block, const PixelWindow& window,
+                       Framebuffer& framebuffer, RenderStatistics& statistics) {
+  const int n = options.grid_samples;
+  for (int y = std::max(block.top, window.top); y < std::min(block.bottom, window.bottom); ++y) {
+    for (int x = std::max(block.left, window.left); x < std::min(block.right, window.right);
+         ++x) {
+      PixelColor sum;
+      for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+          double sx = x - 0.5 + (i + 0.5) / n, sy = y - 0.5 + (j + 0.5) / n;
+          if (jittered) {
+            const Vec2 jitter = sample_jitter(sx, sy);
+            sx += jitter.x / n;
+            sy += jitter.y / n;
+          }
+          sum = sum + sampler.sample(sx, sy, statistics);
+        }
+      }
+      framebuffer.at(x, y) = scaled(sum, 1.0f / static_cast<float>(n * n));
+    }
+  }
+}
+
+}  // namespace durer

@@ -1,0 +1,42 @@
+// POV-Ray's antialiasing methods on one block of pixels (spec/shading.md 5).
+#pragma once
+
+#include "tracer/sampling/pixel_sampler.h"
+
+namespace durer {
+
+// How different two samples look: the sum of channel differences after the antialias gamma.
+class SampleContrast {
+ public:
+  SampleContrast(const Scene& scene, const RenderOptions& options);
+  bool differ(const PixelColor& a, const PixelColor& b) const;
+
+ private:
+  float encode(float value) const;
+
+  AssumedGamma gamma_kind_;
+  float decode_exponent_;  // of the working space; 1: linear
+  float encode_exponent_;  // 1/antialias gamma; 1: none
+  double threshold_;
+};
+
+// Renders a block into the framebuffer; of pixels outside `window` nothing is written.
+void render_block_without_antialiasing(const PixelSampler& sampler, const PixelWindow& block,
+                                       const PixelWindow& window, Framebuffer& framebuffer,
+                                       RenderStatistics& statistics);
+// +AM1: supersample pixels that differ from their left or upper neighbour.
+void render_block_method1(const PixelSampler& sampler, const SampleContrast& contrast,
+                          const RenderOptions& options, const PixelWindow& block,
+                          const PixelWindow& window, Framebuffer& framebuffer,
+                          RenderStatistics& statistics);
+// +AM2: subdivide pixels whose corners differ.
+void render_block_method2(const PixelSampler& sampler, const SampleContrast& contrast,
+                          const RenderOptions& options, const PixelWindow& block,
+                          const PixelWindow& window, Framebuffer& framebuffer,
+                          RenderStatistics& statistics);
+// A regular or jittered grid of n x n samples in every pixel, for teaching.
+void render_block_grid(const PixelSampler& sampler, const RenderOptions& options, bool jittered,
+                       const PixelWindow& block, const PixelWindow& window,
+                       Framebuffer& framebuffer, RenderStatistics& statistics);
+
+}  // namespace durer

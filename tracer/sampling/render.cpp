@@ -1,0 +1,101 @@
+#include "tracer/sampling/render.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tracer/sampling/antialiasing.h"
+
+namespace durer {
+namespace {
+
+// Blocks are anchored at pixel (0,0) of the whole picture, in rows (design.md rule 4d).
+std::vector<PixelWindow> blocks_of(const RenderOptions& options) {
+  std::vector<PixelWindow> blocks;
+  const PixelWindow& window = options.window;
+  const int size = std::min(options.block_size, std::max(options.width, options.height));
+  for (int top = 0; top < options.height; top += size) {
+    for (int left = 0; left < options.width; left += size) {
+      const PixelWindow block{left, top, std::min(left + size, options.width),
+                              std::min(top + size, options.height)};
+      if (block.right > window.left && block.left < window.right && block.bottom > window.top &&
+          block.top < window.bottom) {
+        blocks.push_back(block);
+      }
+    }
+  }
+  return blocks;
+}
+
+void add(RenderStatistics& sum, const RenderStatistics& part) {
+  sum.samples += part.samples;
+  sum.rays.primary += part.rays.primary;
+  sum.rays.reflected += part.rays.reflected;
+  sum.rays.refracted += part.rays.refracted;
+  sum.rays.shadow += part.rays.shadow;
+  sum.rays.total_internal += part.rays.total_internal;
+}
+
+}  // namespace
+
+RenderStatistics render(const ShadingScene& scene, const Camera& camera,
+                        const Integrator& integrator, const RenderOptions& options,
+                        Framebuffer& framebuffer, RenderObserver& observer,
+                        const std::atomic<bool>& stop) {
+  const PixelSampler sampler(scene, camera, integrator);
+  const SampleContrast contrast(scene.scene, options);
+  const std::vector<PixelWindow> blocks = blocks_of(options);
+
+  auto render_block = [&](const PixelWindow& block, RenderStatistics& statistics) {
+    if (stop.load(std::memory_order_relaxed)) return;
+    switch (options.supersampling) {
+      case Supersampling::none:
+        render_block_without_antialiasing(sampler, block, options.window, framebuffer,
+                                          statistics);
+        break;
+      case Supersampling::method1:
+        render_block_method1(sampler, contrast, options, block, options.window, framebuffer,
+                             statistics);
+        break;
+      case Supersampling::method2:
+        render_block_method2(sampler, contrast, options, block, options.window, framebuffer,
+                             statistics);
+        break;
+      case Supersampling::grid:
+      case Supersampling::jitter:
+        render_block_grid(sampler, options, options.supersampling == Supersampling::jitter, block,
+                          options.window, framebuffer, statistics);
+        break;
+    }
+    observer.block_done(block);
+  };
+
+  RenderStatistics total;
+  if (options.threads <= 1 || blocks.size() == 1) {
+    // No threads are started for what one can do.
+    for (const PixelWindow& block : blocks) render_block(block, total);
+    return total;
+  }
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<size_t>(options.threads));
+  tbb::task_arena arena(options.threads);
+  tbb::enumerable_thread_specific<RenderStatistics> statistics;
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<size_t>(0, blocks.size(), 1),
+        [&](const tbb::blocked_range<size_t>& range) {
+          for (size_t i = range.begin(); i != range.end(); ++i) {
+            render_block(blocks[i], statistics.local());
+          }
+        },
+        tbb::simple_partitioner());
+  });
+  for (const RenderStatistics& part : statistics) add(total, part);
+  return total;
+}
+
+}  // namespace durer
