@@ -1,0 +1,126 @@
+"""povray (with a cache of its pictures) and durer, started with the same options."""
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import uuid
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import processes
+
+# What every picture is made with (docs: design.md, Fidelity): no window, 16-bit PNG.
+COMMON_OPTIONS = ("-D", "+FN16")
+POVRAY_STREAMS = ("-V", "-GA", "+GDdebug_stream.txt", "+GFfatal_stream.txt")
+DURER_STREAMS = ("-V", "-GD", "-GR", "-GS")
+DURER_MEMORY_LIMIT = 12 << 30
+
+
+@dataclass
+class Picture:
+    path: Path | None      # None: no picture
+    code: int
+    cpu: float
+    wall: float
+    peak_kb: int
+    timed_out: bool
+    error: str             # first line that says what is wrong
+    debug: str = ""        # the #debug stream (povray only)
+
+    @property
+    def crashed(self):
+        return self.code < 0 and not self.timed_out
+
+
+def cache_root():
+    base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(base) / "durer-reference"
+
+
+@lru_cache
+def povray_version():
+    """Version of povray and of its standard includes, which are part of what decides the picture."""
+    packages = ("povray", "povray-includes", "fonts-povray")
+    query = subprocess.run(["dpkg-query", "-W", *packages], capture_output=True, text=True)
+    if query.returncode != 0 or shutil.which("povray") is None:
+        raise SystemExit("reference: povray is not installed: apt-get install povray povray-includes "
+                         "povray-examples fonts-povray")
+    return query.stdout
+
+
+def povray(scene, options, cpu_limit=180, nice=10):
+    """povray's picture of a scene, from the cache where it is there."""
+    key = hashlib.sha256("\0".join((povray_version(), scene.content_hash(), scene.path.name,
+                                    *options)).encode()).hexdigest()
+    entry = cache_root() / key[:2] / key
+    record = entry / "result.json"
+    if record.exists():
+        stored = json.loads(record.read_text())
+        if not (stored["timed_out"] and stored["cpu"] < cpu_limit - 1):
+            picture = entry / "picture.png"
+            return Picture(path=picture if picture.exists() else None, **stored)
+
+    with processes.Scratch(scene) as scratch:
+        output = scratch.folder / "reference_picture.png"
+        command = ["povray", f"+I{scene.path.name}", f"+O{output.name}", *COMMON_OPTIONS,
+                   *POVRAY_STREAMS, *options]
+        # povray's I/O rules let it read below the home folder and the current one.
+        result = processes.run(command, scratch.folder, cpu_limit, scratch.root,
+                               {"HOME": str(scratch.root)}, nice)
+        fatal = processes.read_text(scratch.folder / "fatal_stream.txt")
+        stored = {"code": result.code, "cpu": result.cpu, "wall": result.wall,
+                  "peak_kb": result.peak_kb, "timed_out": result.timed_out,
+                  "error": first_error(fatal) or first_error(result.stderr) if result.code else "",
+                  "debug": processes.read_text(scratch.folder / "debug_stream.txt")}
+        # Written aside and renamed: several worktrees may share the cache at one time.
+        fresh = entry.parent / f".{uuid.uuid4().hex}"
+        fresh.mkdir(parents=True)
+        (fresh / "result.json").write_text(json.dumps(stored))
+        if result.code == 0 and output.exists():
+            shutil.copy(output, fresh / "picture.png")
+        if entry.exists():
+            shutil.rmtree(entry)
+        try:
+            fresh.rename(entry)
+        except OSError:
+            shutil.rmtree(fresh, ignore_errors=True)
+    picture = entry / "picture.png"
+    return Picture(path=picture if picture.exists() else None, **stored)
+
+
+def durer(binary, scene, options, kept_picture, cpu_limit=120, nice=10):
+    """durer's picture of a scene, moved to `kept_picture`."""
+    with processes.Scratch(scene) as scratch:
+        output = scratch.folder / "reference_picture.png"
+        command = [binary, f"+I{scene.path.name}", f"+O{output.name}", *COMMON_OPTIONS,
+                   *DURER_STREAMS, *options]
+        result = processes.run(command, scratch.folder, cpu_limit, scratch.root, nice=nice,
+                               memory_limit=DURER_MEMORY_LIMIT)
+        kept_picture.parent.mkdir(parents=True, exist_ok=True)
+        kept_picture.unlink(missing_ok=True)
+        path = None
+        if result.code == 0 and output.exists():
+            shutil.copy(output, kept_picture)
+            path = kept_picture
+    error = ""
+    if result.crashed:
+        error = processes.signal_name(result.code)
+    if result.code != 0:
+        error = " ".join(filter(None, (error, first_error(result.stderr or result.stdout))))
+    elif path is None:
+        error = "exit code 0 but no picture"
+    return Picture(path, result.code, result.cpu, result.wall, result.peak_kb, result.timed_out, error)
+
+
+ERROR_WORDS = ("not supported yet", "error", "fatal", "cannot", "sanitizer", "terminate")
+
+
+def first_error(text):
+    """The first line that tells what is wrong, else the last line."""
+    lines = [line.strip() for line in text.replace("\r", "\n").splitlines() if line.strip()]
+    for line in lines:
+        if any(word in line.lower() for word in ERROR_WORDS):
+            return line[:300]
+    return lines[-1][:300] if lines else ""
