@@ -1,26 +1,9 @@
 #include "tracer/sampling/jitter.h"
 
-#include <array>
-#include <cstdint>
+#include "tracer/math/lattice_hash.h"
 
 namespace durer {
 namespace {
-
-// A permutation of 0..4095 (spec/shading.md 2.1): Fisher-Yates driven by a linear congruence.
-constexpr std::array<uint16_t, 4096> make_permutation() {
-  std::array<uint16_t, 4096> table{};
-  for (int i = 0; i < 4096; ++i) table[i] = static_cast<uint16_t>(i);
-  uint32_t state = 0;
-  for (int i = 4095; i >= 0; --i) {
-    state = state * 1812433253u + 12345u;
-    const uint32_t j = ((state >> 16) & 0x7fff) % 4096;
-    const uint16_t kept = table[i];
-    table[i] = table[j];
-    table[j] = kept;
-  }
-  return table;
-}
-const std::array<uint16_t, 4096> kPermutation = make_permutation();
 
 // The offsets (spec/shading.md 2.2).
 constexpr float kOffset[256] = {
@@ -59,8 +42,8 @@ constexpr float kOffset[256] = {
 };
 
 float hashed_offset(int a, int b) {
-  const int inner = (kPermutation[a & 0xfff] ^ b) & 0xfff;
-  return kOffset[kPermutation[inner] & 0xff];
+  const int inner = (kLatticeHash[a & 0xfff] ^ b) & 0xfff;
+  return kOffset[kLatticeHash[inner] & 0xff];
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// Patterns compiled for evaluation: warps, base value, frequency and wave form
+// (spec/textures.md 4, 5).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/field/scalar_field.h"
+#include "tracer/scene/pattern.h"
+
+namespace durer {
+
+// What a pattern may ask of the surface besides the point (slope, aoi, uv_mapping).
+struct PatternContext {
+  Vec3 normal{0, 0, 1};         // unit, facing the ray
+  Vec3 ray_direction{0, 0, 1};  // unit
+  Vec3 world_point{0};
+  Vec2 uv{0};
+  bool has_surface = false;  // false for functions, sky_sphere, media: slope and aoi give 0
+};
+
+// Interfaces to rooms that patterns must not know.
+class InsideTest {  // pattern `object`
+ public:
+  virtual ~InsideTest() = default;
+  virtual bool inside(const Vec3& p) const = 0;
+};
+class GreyField {  // pigment_pattern
+ public:
+  virtual ~GreyField() = default;
+  virtual double grey(const Vec3& p) const = 0;
+};
+class PatternServices {
+ public:
+  virtual ~PatternServices() = default;
+  virtual std::shared_ptr<const InsideTest> inside_test(
+      const std::shared_ptr<const ObjectNode>& object) const = 0;
+  virtual std::shared_ptr<const GreyField> grey_field(
+      const std::shared_ptr<const PigmentNode>& pigment) const = 0;
+};
+
+struct PatternSettings {
+  int noise_generator = 2;  // the scene's; a pattern's own goes first
+  int number_of_waves = 10;
+  const PatternServices* services = nullptr;  // null: `object`, `pigment_pattern` not supported
+};
+
+// The value of a pattern before frequency, phase and wave form, at a warped point.
+class BasePattern {
+ public:
+  virtual ~BasePattern() = default;
+  virtual double base_value(const Vec3& p, const PatternContext& context) const = 0;
+  // Bounds of base_value over a box; infinite where nothing is known.
+  virtual ValueRange base_range(const Bounds& box) const;
+};
+
+// Each pattern's file defines its factory; pattern_registry.cpp lists them. Null where the kind
+// has no value of its own (image_map, bump_map, average, uv_mapping, none).
+using PatternFactory = std::unique_ptr<const BasePattern> (*)(const PatternNode& node,
+                                                             const PatternSettings& settings);
+PatternFactory find_pattern_factory(PatternKind kind);
+const char* pattern_name(PatternKind kind);
+
+class Pattern : public ScalarField {
+ public:
+  // Throws NotSupported for patterns that cannot be evaluated yet.
+  Pattern(const PatternNode& node, const PatternSettings& settings);
+
+  // The point that the pattern (and children of its map) sees.
+  Vec3 warp_point(const Vec3& p) const;
+  // The finished value at an already warped point.
+  double value_at_warped(const Vec3& warped, const PatternContext& context) const;
+  double value(const Vec3& p, const PatternContext& context) const {
+    return value_at_warped(warp_point(p), context);
+  }
+  double value(const Vec3& p) const override { return value(p, PatternContext{}); }
+
+ private:
+  void apply_waves(double& value) const;
+
+  PatternNode node_;
+  bool displaces_;           // the turbulence slot moves the point
+  std::unique_ptr<const BasePattern> base_;
+};
+
+// The chain of spec/textures.md 5 applied to a point, `warps` in the order of the text; the
+// pattern's own turbulence slot is not part of it. For image_map, uv-mapped children and the like.
+Vec3 apply_warps(const std::vector<Warp>& warps, Vec3 p);
+
+}  // namespace durer

@@ -1,0 +1,73 @@
+// Every pattern: its kind, its word in the language, its factory.
+#include "tracer/patterns/pattern_factories.h"
+
+namespace durer {
+namespace {
+
+struct Entry {
+  PatternKind kind;
+  const char* name;
+  PatternFactory factory;
+};
+
+using K = PatternKind;
+constexpr Entry kEntries[] = {
+    {K::none, "none", nullptr},
+    {K::agate, "agate", make_agate},
+    {K::aoi, "aoi", nullptr},
+    {K::average, "average", nullptr},
+    {K::boxed, "boxed", make_boxed},
+    {K::bozo, "bozo", make_bozo},
+    {K::brick, "brick", make_brick},
+    {K::bump_map, "bump_map", nullptr},
+    {K::bumps, "bumps", make_bozo},
+    {K::cells, "cells", make_cells},
+    {K::checker, "checker", make_checker},
+    {K::crackle, "crackle", make_crackle},
+    {K::cubic, "cubic", make_cubic},
+    {K::cylindrical, "cylindrical", make_cylindrical},
+    {K::density_file, "density_file", nullptr},
+    {K::dents, "dents", make_dents},
+    {K::facets, "facets", nullptr},
+    {K::function, "function", nullptr},
+    {K::gradient, "gradient", make_gradient},
+    {K::granite, "granite", make_granite},
+    {K::hexagon, "hexagon", make_hexagon},
+    {K::image_map, "image_map", nullptr},
+    {K::image_pattern, "image_pattern", nullptr},
+    {K::julia, "julia", nullptr},
+    {K::leopard, "leopard", make_leopard},
+    {K::magnet_julia, "magnet julia", nullptr},
+    {K::magnet_mandel, "magnet mandel", nullptr},
+    {K::mandel, "mandel", nullptr},
+    {K::marble, "marble", make_marble},
+    {K::object, "object", make_object},
+    {K::onion, "onion", make_onion},
+    {K::pavement, "pavement", nullptr},
+    {K::pigment_pattern, "pigment_pattern", nullptr},
+    {K::planar, "planar", make_planar},
+    {K::quilted, "quilted", make_quilted},
+    {K::radial, "radial", make_radial},
+    {K::ripples, "ripples", make_ripples},
+    {K::slope, "slope", nullptr},
+    {K::spherical, "spherical", make_spherical},
+    {K::spiral1, "spiral1", make_spiral1},
+    {K::spiral2, "spiral2", make_spiral2},
+    {K::spotted, "spotted", make_bozo},
+    {K::square, "square", make_square},
+    {K::tiling, "tiling", nullptr},
+    {K::triangular, "triangular", make_triangular},
+    {K::uv_mapping, "uv_mapping", nullptr},
+    {K::waves, "waves", make_waves},
+    {K::wood, "wood", make_wood},
+    {K::wrinkles, "wrinkles", make_wrinkles},
+};
+
+const Entry& entry_of(PatternKind kind) { return kEntries[static_cast<int>(kind)]; }
+
+}  // namespace
+
+PatternFactory find_pattern_factory(PatternKind kind) { return entry_of(kind).factory; }
+const char* pattern_name(PatternKind kind) { return entry_of(kind).name; }
+
+}  // namespace durer
