@@ -11,17 +11,13 @@
 #include <cmath>
 
 #include "tracer/patterns/pattern_factories.h"
+#include "tracer/patterns/wave_sources.h"
 
 namespace durer {
 namespace {
 
 int generator_of(const PatternNode& node, const PatternSettings& settings) {
   return node.noise_generator != 0 ? node.noise_generator : settings.noise_generator;
-}
-
-double cycle(double v) {
-  return v >= 0 ? std::sin(2 * M_PI * (v - std::floor(v)))
-                : -std::sin(2 * M_PI * (-v - std::floor(-v)));
 }
 
 class NoisePattern : public BasePattern {

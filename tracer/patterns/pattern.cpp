@@ -4,16 +4,11 @@
 #include <limits>
 
 #include "tracer/patterns/noise.h"
+#include "tracer/patterns/wave_sources.h"
 #include "tracer/scene/not_supported.h"
 
 namespace durer {
 namespace {
-
-// sin(2 pi frac(v)), odd in v.
-double cycle(double v) {
-  return v >= 0 ? std::sin(2 * M_PI * (v - std::floor(v)))
-                : -std::sin(2 * M_PI * (-v - std::floor(-v)));
-}
 
 // These use the slot in their own formula instead (spec/textures.md 3.1).
 bool uses_turbulence_itself(PatternKind kind) {

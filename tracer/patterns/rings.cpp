@@ -12,15 +12,11 @@
 #include <vector>
 
 #include "tracer/patterns/noise.h"
+#include "tracer/patterns/wave_sources.h"
 #include "tracer/patterns/pattern_factories.h"
 
 namespace durer {
 namespace {
-
-double cycle(double v) {
-  return v >= 0 ? std::sin(2 * M_PI * (v - std::floor(v)))
-                : -std::sin(2 * M_PI * (-v - std::floor(-v)));
-}
 
 double triangle(double v) {
   double f = v;
@@ -75,23 +71,6 @@ class Quilted : public BasePattern {
   double control0_, control1_;
 };
 
-struct WaveSource {
-  Vec3 center;
-  double frequency;
-};
-
-std::vector<WaveSource> wave_sources(int count) {
-  std::vector<WaveSource> sources;
-  uint32_t state = static_cast<uint32_t>(-560851967);
-  for (int i = 0; i < count; ++i) {
-    state = state * 1812433253u + 12345u;
-    const double drawn = static_cast<double>((state >> 16) & 0x7fff);
-    sources.push_back({normalize_or_zero(vector_noise({static_cast<double>(i), 0, 0})),
-                       drawn * 0.000030518509476 + 0.01});
-  }
-  return sources;
-}
-
 class RippleOrWave : public BasePattern {
  public:
   RippleOrWave(const PatternNode& node, const PatternSettings& settings, bool waves)
@@ -122,6 +101,18 @@ class RippleOrWave : public BasePattern {
 };
 
 }  // namespace
+
+std::vector<WaveSource> wave_sources(int count) {
+  std::vector<WaveSource> sources;
+  uint32_t state = static_cast<uint32_t>(-560851967);
+  for (int i = 0; i < count; ++i) {
+    state = state * 1812433253u + 12345u;
+    const double drawn = static_cast<double>((state >> 16) & 0x7fff);
+    sources.push_back({normalize_or_zero(vector_noise({static_cast<double>(i), 0, 0})),
+                       drawn * 0.000030518509476 + 0.01});
+  }
+  return sources;
+}
 
 std::unique_ptr<const BasePattern> make_spiral1(const PatternNode& n, const PatternSettings& s) {
   return std::make_unique<Spiral>(n, s, false);

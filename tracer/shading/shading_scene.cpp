@@ -6,7 +6,8 @@ namespace durer {
 namespace {
 
 TextureSettings texture_settings(const Scene& scene, const ShadingOptions& options) {
-  return {scene.settings.noise_generator, scene.settings.number_of_waves, options.quality,
+  return {{scene.settings.noise_generator, scene.settings.number_of_waves, nullptr},
+          options.quality,
           scene.effective_version};
 }
 

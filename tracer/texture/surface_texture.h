@@ -5,22 +5,17 @@
 #include <memory>
 #include <vector>
 
+#include "tracer/patterns/pattern.h"
 #include "tracer/scene/texture.h"
 
 namespace durer {
 
 // What a texture may ask of the surface besides the point.
-struct TextureContext {
-  Vec3 normal{0, 0, 1};         // unit, facing the ray
-  Vec3 ray_direction{0, 0, 1};  // unit
-  Vec3 world_point{0};
-  Vec2 uv{0};
-};
+using TextureContext = PatternContext;
 
 // What the compilation of textures needs to know of the scene.
 struct TextureSettings {
-  int noise_generator = 2;
-  int number_of_waves = 10;
+  PatternSettings patterns;
   int quality = 9;
   int effective_version = 370;
 };

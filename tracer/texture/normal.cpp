@@ -1,0 +1,307 @@
+// Perturbed normals (spec/textures.md 14).
+#include <cmath>
+
+#include "tracer/patterns/noise.h"
+#include "tracer/patterns/wave_sources.h"
+#include "tracer/scene/not_supported.h"
+#include "tracer/texture/blend_map.h"
+#include "tracer/texture/surface_texture.h"
+
+namespace durer {
+namespace {
+
+// Into the pattern's space and back: only transforms touch a normal (14.2).
+class NormalFrame {
+ public:
+  NormalFrame(const std::vector<Warp>& warps, bool keep_length) : keep_length_(keep_length) {
+    for (auto it = warps.rbegin(); it != warps.rend(); ++it) {
+      if (const auto* transform = std::get_if<Transform>(&*it)) chain_.push_back(*transform);
+    }
+  }
+  Vec3 inwards(Vec3 n) const {
+    if (chain_.empty()) return n;
+    for (const Transform& t : chain_) n = t.inverse_normal(n);
+    return keep_length_ ? n : normalize_or_zero(n);
+  }
+  Vec3 outwards(Vec3 n) const {
+    if (!keep_length_) n = normalize_or_zero(n);
+    if (chain_.empty()) return n;
+    for (auto it = chain_.rbegin(); it != chain_.rend(); ++it) n = it->normal(n);
+    return keep_length_ ? n : normalize_or_zero(n);
+  }
+
+ private:
+  std::vector<Transform> chain_;  // as applied to a point: last written first
+  bool keep_length_;
+};
+
+// How a pattern bends a normal at a point of its own space.
+class Bump {
+ public:
+  virtual ~Bump() = default;
+  virtual Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext& context) const = 0;
+};
+
+class VectorNoiseBump : public Bump {
+ public:
+  explicit VectorNoiseBump(double amount) : amount_(amount) {}
+  Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
+    return n + amount_ * vector_noise(q);
+  }
+
+ private:
+  double amount_;
+};
+
+class DentsBump : public Bump {
+ public:
+  DentsBump(double amount, int generator) : amount_(amount), generator_(generator) {}
+  Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
+    const double v = noise(q, generator_);
+    return n + (amount_ * v * v * v) * vector_noise(q);
+  }
+
+ private:
+  double amount_;
+  int generator_;
+};
+
+class WrinklesBump : public Bump {
+ public:
+  explicit WrinklesBump(double amount) : amount_(amount) {}
+  Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
+    Vec3 sum(0);
+    double scale = 1;
+    for (int i = 0; i < 10; ++i, scale *= 2) sum += glm::abs(vector_noise(q * scale)) / scale;
+    return n + amount_ * sum;
+  }
+
+ private:
+  double amount_;
+};
+
+class WaterBump : public Bump {
+ public:
+  WaterBump(const NormalNode& node, int sources, bool waves)
+      : sources_(wave_sources(sources)),
+        amount_(node.bump_size),
+        frequency_(node.pattern.frequency),
+        phase_(node.pattern.phase),
+        waves_(waves) {}
+  Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
+    Vec3 result = n;
+    const double count = static_cast<double>(sources_.size());
+    for (const WaveSource& source : sources_) {
+      const Vec3 away = q - source.center;
+      double distance = length(away);
+      if (distance == 0) distance = 1;
+      const double rate = waves_ ? source.frequency : 1;
+      const double height = (amount_ / rate) * cycle(distance * frequency_ * rate + phase_);
+      result += height / (distance * count) * away;
+    }
+    return result;
+  }
+
+ private:
+  std::vector<WaveSource> sources_;
+  double amount_, frequency_, phase_;
+  bool waves_;
+};
+
+class QuiltedBump : public Bump {
+ public:
+  explicit QuiltedBump(const NormalNode& node)
+      : amount_(node.bump_size),
+        control0_(node.pattern.quilt_control0),
+        control1_(node.pattern.quilt_control1) {}
+  Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
+    const Vec3 w = q - glm::floor(q) - Vec3(0.5);
+    const double t = length(w), u = 1 - t;
+    const double s = 1.154700538 * (t * t * t + 3 * t * (u * u * control0_ + t * u * control1_));
+    return n + amount_ * s * w;
+  }
+
+ private:
+  double amount_, control0_, control1_;
+};
+
+// Any pattern as a height field, by four samples on a tetrahedron (14.4).
+class HeightBump : public Bump {
+ public:
+  HeightBump(const NormalNode& node, const Pattern& pattern)
+      : pattern_(pattern),
+        amount_(node.bump_size),
+        accuracy_(node.accuracy),
+        slope_map_(node.slope_map) {}
+
+  Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext& context) const override {
+    static constexpr double kDirections[4][3] = {{0.942809041, -0.333333333, 0},
+                                                 {-0.471404521, -0.333333333, 0.816496581},
+                                                 {-0.471404521, -0.333333333, -0.816496581},
+                                                 {0, 1, 0}};
+    Vec3 result = n;
+    const double scale = amount_ * -5.0 * (0.02 / accuracy_);
+    for (const auto& d : kDirections) {
+      const Vec3 direction(d[0], d[1], d[2]);
+      const double value = pattern_.value_at_warped(q + accuracy_ * direction, context);
+      result += (height(value) * scale) * direction;
+    }
+    return result;
+  }
+
+ private:
+  // Hermite cubics between the entries of a slope_map.
+  double height(double value) const {
+    if (!slope_map_) return value;
+    const auto& entries = slope_map_->entries;
+    const MapPlace place = find_in_map(entries, value);
+    const SlopeAt& low = entries[place.lower].item;
+    if (place.lower == place.upper) return low.height;
+    const SlopeAt& high = entries[place.upper].item;
+    const double t = place.share;
+    const double h1 = low.height, h2 = high.height, s1 = low.slope, s2 = high.slope;
+    return ((s1 + s2 + 2 * (h1 - h2)) * t - (2 * s1 + s2 + 3 * (h1 - h2))) * t * t + s1 * t + h1;
+  }
+
+  const Pattern& pattern_;
+  double amount_, accuracy_;
+  std::shared_ptr<const SlopeMap> slope_map_;
+};
+
+std::unique_ptr<const Bump> make_bump(const NormalNode& node, const Pattern& pattern,
+                                      const PatternSettings& settings) {
+  const int generator =
+      node.pattern.noise_generator ? node.pattern.noise_generator : settings.noise_generator;
+  switch (node.pattern.kind) {
+    case PatternKind::bumps:
+      return std::make_unique<VectorNoiseBump>(node.bump_size);
+    case PatternKind::dents:
+      return std::make_unique<DentsBump>(node.bump_size, generator);
+    case PatternKind::ripples:
+    case PatternKind::waves:
+      return std::make_unique<WaterBump>(node, settings.number_of_waves,
+                                         node.pattern.kind == PatternKind::waves);
+    case PatternKind::wrinkles:
+      return std::make_unique<WrinklesBump>(node.bump_size);
+    case PatternKind::quilted:
+      return std::make_unique<QuiltedBump>(node);
+    default:
+      return std::make_unique<HeightBump>(node, pattern);
+  }
+}
+
+class PatternNormal : public CompiledNormal {
+ public:
+  PatternNormal(const NormalNode& node, const PatternSettings& settings)
+      : pattern_(node.pattern, settings),
+        frame_(node.pattern.warps, node.no_bump_scale),
+        bump_(make_bump(node, pattern_, settings)) {}
+
+  Vec3 perturb(const Vec3& point, const TextureContext& context,
+               const Vec3& normal) const override {
+    const Vec3 bent =
+        bump_->bend(pattern_.warp_point(point), frame_.inwards(normal), context);
+    return normalize_or_zero(frame_.outwards(bent));
+  }
+
+ private:
+  Pattern pattern_;
+  NormalFrame frame_;
+  std::unique_ptr<const Bump> bump_;
+};
+
+using NormalEntry = MapEntry<std::shared_ptr<const CompiledNormal>>;
+
+std::vector<NormalEntry> compile_entries(const NormalMap& map, const TextureSettings& settings) {
+  std::vector<NormalEntry> entries;
+  for (const auto& entry : map.entries) {
+    entries.push_back({entry.position, compile_normal(*entry.item, settings)});
+  }
+  return entries;
+}
+
+class MappedNormal : public CompiledNormal {
+ public:
+  MappedNormal(const NormalNode& node, const TextureSettings& settings)
+      : pattern_(node.pattern, settings.patterns),
+        frame_(node.pattern.warps, node.no_bump_scale),
+        entries_(compile_entries(*node.normal_map, settings)) {}
+
+  Vec3 perturb(const Vec3& point, const TextureContext& context,
+               const Vec3& normal) const override {
+    const Vec3 q = pattern_.warp_point(point);
+    const Vec3 n = frame_.inwards(normal);
+    const MapPlace place = find_in_map(entries_, pattern_.value_at_warped(q, context));
+    Vec3 bent = entries_[place.lower].item->perturb(q, context, n);
+    if (place.lower != place.upper) {
+      const Vec3 upper = entries_[place.upper].item->perturb(q, context, n);
+      bent += static_cast<double>(place.share) * (upper - bent);
+    }
+    return normalize_or_zero(frame_.outwards(bent));
+  }
+
+ private:
+  Pattern pattern_;
+  NormalFrame frame_;
+  std::vector<NormalEntry> entries_;
+};
+
+class AverageNormal : public CompiledNormal {
+ public:
+  AverageNormal(const NormalNode& node, const TextureSettings& settings)
+      : warps_(node.pattern.warps),
+        frame_(node.pattern.warps, node.no_bump_scale),
+        entries_(compile_entries(*node.normal_map, settings)) {}
+
+  Vec3 perturb(const Vec3& point, const TextureContext& context,
+               const Vec3& normal) const override {
+    const Vec3 q = apply_warps(warps_, point);
+    const Vec3 n = frame_.inwards(normal);
+    Vec3 sum(0);
+    double weights = 0;
+    for (const NormalEntry& entry : entries_) {
+      const double weight = entry.position;
+      sum += weight * entry.item->perturb(q, context, n);
+      weights += weight;
+    }
+    return normalize_or_zero(frame_.outwards(sum / weights));
+  }
+
+ private:
+  std::vector<Warp> warps_;
+  NormalFrame frame_;
+  std::vector<NormalEntry> entries_;
+};
+
+class UvNormal : public CompiledNormal {
+ public:
+  explicit UvNormal(std::shared_ptr<const CompiledNormal> inner) : inner_(std::move(inner)) {}
+  Vec3 perturb(const Vec3&, const TextureContext& context, const Vec3& normal) const override {
+    return normalize_or_zero(
+        inner_->perturb({context.uv.x, context.uv.y, 0}, context, normal));
+  }
+
+ private:
+  std::shared_ptr<const CompiledNormal> inner_;
+};
+
+}  // namespace
+
+std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
+                                                     const TextureSettings& settings) {
+  switch (node.pattern.kind) {
+    case PatternKind::uv_mapping:
+      return std::make_shared<UvNormal>(compile_normal(*node.inner, settings));
+    case PatternKind::average:
+      return std::make_shared<AverageNormal>(node, settings);
+    case PatternKind::bump_map:
+      throw NotSupported("bump_map", node.pattern.position);
+    case PatternKind::facets:
+      throw NotSupported("facets", node.pattern.position);
+    default:
+      if (node.normal_map) return std::make_shared<MappedNormal>(node, settings);
+      return std::make_shared<PatternNormal>(node, settings.patterns);
+  }
+}
+
+}  // namespace durer

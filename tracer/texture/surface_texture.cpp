@@ -1,0 +1,131 @@
+#include "tracer/texture/surface_texture.h"
+
+#include <algorithm>
+
+#include "tracer/scene/not_supported.h"
+#include "tracer/texture/blend_map.h"
+
+namespace durer {
+namespace {
+
+using TextureEntry = MapEntry<std::shared_ptr<const CompiledTexture>>;
+
+std::vector<TextureEntry> compile_entries(const TextureMap& map, const TextureSettings& settings) {
+  std::vector<TextureEntry> entries;
+  for (const auto& entry : map.entries) {
+    entries.push_back({entry.position, compile_texture(*entry.item, settings)});
+  }
+  return entries;
+}
+
+class MapSelector : public TextureSelector {
+ public:
+  MapSelector(const TextureNode& node, std::vector<TextureEntry> entries,
+              const TextureSettings& settings)
+      : pattern_(node.pattern, settings.patterns), entries_(std::move(entries)) {}
+
+  int select(const Vec3& point, const TextureContext& context, Vec3& child_point,
+             WeightedTexture out[kMostTextures]) const override {
+    child_point = pattern_.warp_point(point);
+    const MapPlace place =
+        find_in_map(entries_, pattern_.value_at_warped(child_point, context));
+    out[0] = {entries_[place.lower].item.get(), 1 - place.share};
+    if (place.lower == place.upper) {
+      out[0].weight = 1;
+      return 1;
+    }
+    out[1] = {entries_[place.upper].item.get(), place.share};
+    return 2;
+  }
+
+ private:
+  Pattern pattern_;
+  std::vector<TextureEntry> entries_;
+};
+
+class AverageSelector : public TextureSelector {
+ public:
+  AverageSelector(const TextureNode& node, std::vector<TextureEntry> entries)
+      : warps_(node.pattern.warps), entries_(std::move(entries)) {
+    for (const TextureEntry& entry : entries_) weights_ += entry.position;
+  }
+  int select(const Vec3& point, const TextureContext&, Vec3& child_point,
+             WeightedTexture out[kMostTextures]) const override {
+    child_point = apply_warps(warps_, point);
+    int count = 0;
+    for (const TextureEntry& entry : entries_) {
+      out[count++] = {entry.item.get(), entry.position / weights_};
+    }
+    return count;
+  }
+
+ private:
+  std::vector<Warp> warps_;
+  std::vector<TextureEntry> entries_;
+  float weights_ = 0;
+};
+
+class UvSelector : public TextureSelector {
+ public:
+  explicit UvSelector(std::shared_ptr<const CompiledTexture> inner) : inner_(std::move(inner)) {}
+  int select(const Vec3&, const TextureContext& context, Vec3& child_point,
+             WeightedTexture out[kMostTextures]) const override {
+    child_point = {context.uv.x, context.uv.y, 0};
+    out[0] = {inner_.get(), 1};
+    return 1;
+  }
+
+ private:
+  std::shared_ptr<const CompiledTexture> inner_;
+};
+
+TextureLayer compile_layer(const TextureNode& node, const TextureSettings& settings) {
+  TextureLayer layer;
+  layer.pigment = compile_pigment(node.pigment ? *node.pigment : PigmentNode{}, settings);
+  if (node.normal && settings.quality >= 8) {
+    layer.normal = compile_normal(*node.normal, settings);
+  }
+  if (node.finish) layer.finish = *node.finish;
+  layer.highlight_exponent = layer.finish.roughness != 0 ? 1 / layer.finish.roughness : 0;
+  if (layer.finish.irid.amount > 0 && layer.finish.irid.turbulence != 0) {
+    throw NotSupported("turbulence in irid", node.pattern.position);
+  }
+  return layer;
+}
+
+}  // namespace
+
+std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& node,
+                                                       const TextureSettings& settings) {
+  auto texture = std::make_shared<CompiledTexture>();
+  switch (node.kind) {
+    case TextureNode::Kind::plain:
+      // From the top layer down.
+      for (const TextureNode* layer = &node; layer; layer = layer->below.get()) {
+        texture->layers.push_back(compile_layer(*layer, settings));
+      }
+      texture->is_opaque =
+          std::any_of(texture->layers.begin(), texture->layers.end(),
+                      [](const TextureLayer& layer) { return layer.pigment->is_opaque(); });
+      break;
+    case TextureNode::Kind::patterned: {
+      std::vector<TextureEntry> entries = compile_entries(*node.texture_map, settings);
+      texture->is_opaque = std::all_of(entries.begin(), entries.end(), [](const TextureEntry& e) {
+        return e.item->is_opaque;
+      });
+      if (node.pattern.kind == PatternKind::average) {
+        texture->selector = std::make_unique<AverageSelector>(node, std::move(entries));
+      } else if (node.pattern.kind == PatternKind::uv_mapping) {
+        texture->selector = std::make_unique<UvSelector>(entries.front().item);
+      } else {
+        texture->selector = std::make_unique<MapSelector>(node, std::move(entries), settings);
+      }
+      break;
+    }
+    case TextureNode::Kind::material_map:
+      throw NotSupported("material_map", node.pattern.position);
+  }
+  return texture;
+}
+
+}  // namespace durer
