@@ -5,7 +5,7 @@ import os
 import shutil
 import subprocess
 import uuid
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -62,6 +62,25 @@ def povray(scene, options, cpu_limit=180, nice=10):
             picture = entry / "picture.png"
             return Picture(path=picture if picture.exists() else None, **stored)
 
+    fresh = entry.parent / f".{uuid.uuid4().hex}"
+    fresh.mkdir(parents=True)
+    run = run_povray(scene, options, cpu_limit, nice, fresh / "picture.png")
+    stored = asdict(run)
+    del stored["path"]
+    # Written aside and renamed: several worktrees may share the cache at one time.
+    (fresh / "result.json").write_text(json.dumps(stored))
+    if entry.exists():
+        shutil.rmtree(entry, ignore_errors=True)
+    try:
+        fresh.rename(entry)
+    except OSError:
+        shutil.rmtree(fresh, ignore_errors=True)
+    picture = entry / "picture.png"
+    return Picture(path=picture if picture.exists() else None, **stored)
+
+
+def run_povray(scene, options, cpu_limit, nice, kept_picture=None):
+    """povray's picture of a scene, rendered now."""
     with processes.Scratch(scene) as scratch:
         output = scratch.folder / "reference_picture.png"
         command = ["povray", f"+I{scene.path.name}", f"+O{output.name}", *COMMON_OPTIONS,
@@ -69,47 +88,41 @@ def povray(scene, options, cpu_limit=180, nice=10):
         # povray's I/O rules let it read below the home folder and the current one.
         result = processes.run(command, scratch.folder, cpu_limit, scratch.root,
                                {"HOME": str(scratch.root)}, nice)
-        fatal = processes.read_text(scratch.folder / "fatal_stream.txt")
-        stored = {"code": result.code, "cpu": result.cpu, "wall": result.wall,
-                  "peak_kb": result.peak_kb, "timed_out": result.timed_out,
-                  "error": first_error(fatal) or first_error(result.stderr) if result.code else "",
-                  "debug": processes.read_text(scratch.folder / "debug_stream.txt")}
-        # Written aside and renamed: several worktrees may share the cache at one time.
-        fresh = entry.parent / f".{uuid.uuid4().hex}"
-        fresh.mkdir(parents=True)
-        (fresh / "result.json").write_text(json.dumps(stored))
-        if result.code == 0 and output.exists():
-            shutil.copy(output, fresh / "picture.png")
-        if entry.exists():
-            shutil.rmtree(entry)
-        try:
-            fresh.rename(entry)
-        except OSError:
-            shutil.rmtree(fresh, ignore_errors=True)
-    picture = entry / "picture.png"
-    return Picture(path=picture if picture.exists() else None, **stored)
+        error = ""
+        if result.code != 0:
+            fatal = processes.read_text(scratch.folder / "fatal_stream.txt")
+            error = first_error(fatal) or first_error(result.stderr)
+        debug = processes.read_text(scratch.folder / "debug_stream.txt")
+        path = keep(output, kept_picture) if result.code == 0 else None
+    return Picture(path, result.code, result.cpu, result.wall, result.peak_kb, result.timed_out, error,
+                   debug)
+
+
+def keep(output, kept_picture):
+    """Move the picture out of the scratch folder if it is wanted."""
+    if kept_picture is None or not output.exists():
+        return None
+    kept_picture.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(output, kept_picture)
+    return kept_picture
 
 
 def durer(binary, scene, options, kept_picture, cpu_limit=120, nice=10):
-    """durer's picture of a scene, moved to `kept_picture`."""
+    """durer's picture of a scene, rendered now; copied to `kept_picture` if that is given."""
     with processes.Scratch(scene) as scratch:
         output = scratch.folder / "reference_picture.png"
         command = [binary, f"+I{scene.path.name}", f"+O{output.name}", *COMMON_OPTIONS,
                    *DURER_STREAMS, *options]
         result = processes.run(command, scratch.folder, cpu_limit, scratch.root, nice=nice,
                                memory_limit=DURER_MEMORY_LIMIT)
-        kept_picture.parent.mkdir(parents=True, exist_ok=True)
-        kept_picture.unlink(missing_ok=True)
-        path = None
-        if result.code == 0 and output.exists():
-            shutil.copy(output, kept_picture)
-            path = kept_picture
+        drawn = result.code == 0 and output.exists()
+        path = keep(output, kept_picture) if drawn else None
     error = ""
     if result.crashed:
         error = processes.signal_name(result.code)
     if result.code != 0:
         error = " ".join(filter(None, (error, first_error(result.stderr or result.stdout))))
-    elif path is None:
+    elif not drawn:
         error = "exit code 0 but no picture"
     return Picture(path, result.code, result.cpu, result.wall, result.peak_kb, result.timed_out, error)
 
