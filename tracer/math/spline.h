@@ -1,0 +1,45 @@
+// spline{}: interpolation of 2..5 numbers over a parameter (spec/language.md 21).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace durer {
+
+enum class SplineKind : uint8_t { linear, quadratic, cubic, natural };
+
+struct SplineKnot {
+  double parameter = 0;
+  std::array<double, 5> value{};
+};
+
+class Spline {
+ public:
+  SplineKind kind = SplineKind::linear;
+
+  // Adds a knot of 1..5 numbers in the order of the text, with the language's rules: knots are kept
+  // sorted, a repeated parameter replaces the earlier value unless it is the largest of several, a
+  // single number fills two components, and missing components are those of the earlier point.
+  void add(double parameter, const double* value, int terms);
+
+  bool empty() const { return knots_.empty(); }
+  // Numbers in a value: 2..5.
+  int terms() const { return terms_; }
+  const std::vector<SplineKnot>& knots() const { return knots_; }
+
+  // Writes terms() numbers. At least one knot.
+  void evaluate(double t, double* result) const { evaluate(t, kind, result); }
+  void evaluate(double t, SplineKind as, double* result) const;
+
+ private:
+  // Second derivatives of the natural spline, solved whenever a knot is added.
+  void solve_natural();
+
+  std::vector<SplineKnot> knots_;  // by parameter
+  std::vector<std::array<double, 5>> second_derivatives_;
+  std::array<double, 5> last_value_{};  // of the text: fills missing components
+  int terms_ = 2;
+};
+
+}  // namespace durer
