@@ -1,0 +1,332 @@
+#include "tracer/math/polynomial.h"
+
+#include <cmath>
+
+namespace durer {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+constexpr double kFarthestRoot = 1e7;
+constexpr double kRelativeError = 1e-12;
+constexpr int kMostHalvings = 50;
+
+// Coefficients differ by more than a double carries: Sturm's method is asked (degree 4).
+bool is_difficult(const double* c) {
+  double largest = 0;
+  for (int i = 0; i <= 4; ++i) {
+    if (std::abs(c[i]) > largest) largest = c[i];  // signed, as the reference does
+  }
+  if (largest == 0) return false;
+  for (int i = 0; i <= 4; ++i) {
+    if (c[i] != 0 && std::abs(largest / c[i]) > 1e12) return true;
+  }
+  return false;
+}
+
+// --- Sturm's method ---
+
+struct SturmTerm {
+  int degree;
+  double c[kMostPolynomialDegree + 1];  // ascending powers
+
+  double value(double x) const {
+    double sum = c[degree];
+    for (int i = degree - 1; i >= 0; --i) sum = sum * x + c[i];
+    return sum;
+  }
+};
+
+struct SturmSequence {
+  SturmTerm term[kMostPolynomialDegree + 1];
+  int last;
+
+  template <typename Value>
+  int sign_changes(Value&& value) const {
+    int changes = 0;
+    double previous = value(term[0]);
+    for (int i = 1; i <= last; ++i) {
+      const double f = value(term[i]);
+      if (previous == 0 || previous * f < 0) ++changes;
+      previous = f;
+    }
+    return changes;
+  }
+  int changes_at(double x) const {
+    return sign_changes([x](const SturmTerm& t) { return t.value(x); });
+  }
+};
+
+// r = -(u mod v), scaled to a leading coefficient of ±1. Returns its degree.
+int negated_remainder(const SturmTerm& u, const SturmTerm& v, SturmTerm& r) {
+  r = u;
+  // v's leading coefficient is ±1.
+  const double sign = v.c[v.degree] < 0 ? -1 : 1;
+  for (int k = u.degree - v.degree; k >= 0; --k) {
+    const double factor = r.c[v.degree + k] * sign;
+    for (int j = v.degree + k - 1; j >= k; --j) r.c[j] -= factor * v.c[j - k];
+  }
+  int degree = v.degree - 1;
+  while (degree >= 0 && std::abs(r.c[degree]) < kEpsilon) r.c[degree--] = 0;
+  r.degree = degree < 0 ? 0 : degree;
+  if (degree < 0) {
+    r.c[0] = 0;
+    return 0;
+  }
+  const double scale = -1 / std::abs(r.c[degree]);
+  for (int j = 0; j <= degree; ++j) r.c[j] *= scale;
+  return r.degree;
+}
+
+void build(SturmSequence& s, int degree, const double* c) {
+  s.term[0].degree = degree;
+  for (int i = 0; i <= degree; ++i) s.term[0].c[i] = c[degree - i] / c[0];
+  s.term[1].degree = degree - 1;
+  const double scale = 1 / std::abs(s.term[0].c[degree] * degree);
+  for (int i = 1; i <= degree; ++i) s.term[1].c[i - 1] = s.term[0].c[i] * i * scale;
+  s.last = 1;
+  while (s.term[s.last].degree > 0) {
+    negated_remainder(s.term[s.last - 1], s.term[s.last], s.term[s.last + 1]);
+    const SturmTerm& next = s.term[s.last + 1];
+    if (next.degree == 0 && next.c[0] == 0) break;  // multiple root
+    ++s.last;
+  }
+}
+
+// The one root of s in (a, b], by the Illinois form of regula falsi; false: no convergence.
+bool regula_falsi(const SturmTerm& f, double a, double b, double& root) {
+  double fa = f.value(a), fb = f.value(b);
+  if (fa * fb > 0) return false;
+  if (std::abs(fa) < kEpsilon) {
+    root = a;
+    return true;
+  }
+  if (std::abs(fb) < kEpsilon) {
+    root = b;
+    return true;
+  }
+  double previous = fa;
+  for (int i = 0; i < kMostHalvings; ++i) {
+    const double x = (fb * a - fa * b) / (fb - fa);
+    const double fx = f.value(x);
+    if (std::abs(x) > kRelativeError ? std::abs(fx / x) < kRelativeError
+                                     : std::abs(fx) < kRelativeError) {
+      root = x;
+      return true;
+    }
+    if (fa < 0 ? fx < 0 : fx >= 0) {
+      a = x;
+      fa = fx;
+      if (previous * fx > 0) fb /= 2;
+    } else {
+      b = x;
+      fb = fx;
+      if (previous * fx > 0) fa /= 2;
+    }
+    if (std::abs(b - a) < kRelativeError) {
+      root = x;
+      return true;
+    }
+    previous = fx;
+  }
+  return false;
+}
+
+// Writes the roots in (low, high], ascending; changes are the sign changes at both ends.
+int isolate(const SturmSequence& s, double low, double high, int low_changes, int high_changes,
+            double* roots) {
+  const int count = low_changes - high_changes;
+  if (count <= 0) return 0;
+  if (count == 1) {
+    if (regula_falsi(s.term[0], low, high, roots[0])) return 1;
+    // Plain bisection by sign changes.
+    for (int i = 0; i < kMostHalvings; ++i) {
+      const double middle = (low + high) / 2;
+      const int changes = s.changes_at(middle);
+      if (std::abs(middle) > kRelativeError ? std::abs((high - low) / middle) < kRelativeError
+                                            : std::abs(high - low) < kRelativeError) {
+        roots[0] = middle;
+        return 1;
+      }
+      if (low_changes - changes == 0) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    roots[0] = (low + high) / 2;
+    return 1;
+  }
+  // Several: halve until they part.
+  for (int i = 0; i < kMostHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    if (std::abs(middle) > kRelativeError ? std::abs((high - low) / middle) < kRelativeError
+                                          : std::abs(high - low) < kRelativeError) {
+      roots[0] = middle;
+      return 1;
+    }
+    const int changes = s.changes_at(middle);
+    const int lower = low_changes - changes, upper = changes - high_changes;
+    if (lower > 0 && upper > 0) {
+      const int found = isolate(s, low, middle, low_changes, changes, roots);
+      return found + isolate(s, middle, high, changes, high_changes, roots + found);
+    }
+    if (lower == 0) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  roots[0] = (low + high) / 2;
+  return 1;
+}
+
+}  // namespace
+
+int solve_quadratic(const double* coefficient, double* roots) {
+  const double a = coefficient[0];
+  double b = -coefficient[1], c = coefficient[2];
+  if (a == 0) {
+    if (b == 0) return 0;
+    roots[0] = c / b;
+    return 1;
+  }
+  b /= a;
+  c /= a;
+  const double d = b * b - 4 * c;
+  if (std::abs(d) < kEpsilon) {
+    roots[0] = 0.5 * b;
+    return 1;
+  }
+  if (!(d >= 0)) return 0;
+  const double root = std::sqrt(d);
+  roots[0] = 0.5 * (b + root);
+  roots[1] = 0.5 * (b - root);
+  return 2;
+}
+
+int solve_cubic(const double* c, double* roots) {
+  if (c[0] == 0) return solve_quadratic(c + 1, roots);
+  double a1 = c[1], a2 = c[2], a3 = c[3];
+  if (c[0] != 1) {
+    a1 /= c[0];
+    a2 /= c[0];
+    a3 /= c[0];
+  }
+  const double square = a1 * a1;
+  const double q = (square - 3 * a2) / 9;
+  const double r = (a1 * (square - 4.5 * a2) + 13.5 * a3) / 27;
+  const double q3 = q * q * q;
+  const double r2 = r * r;
+  const double d = q3 - r2;
+  const double shift = a1 / 3;
+  if (d >= 0) {
+    const double turn = std::sqrt(q3);
+    const double theta = std::acos(r / turn) / 3;
+    const double size = -2 * std::sqrt(q);
+    roots[0] = size * std::cos(theta) - shift;
+    roots[1] = size * std::cos(theta + 2 * M_PI / 3) - shift;
+    roots[2] = size * std::cos(theta + 4 * M_PI / 3) - shift;
+    return 3;
+  }
+  const double s = std::pow(std::sqrt(r2 - q3) + std::abs(r), 1.0 / 3.0);
+  roots[0] = r < 0 ? (s + q / s) - shift : -(s + q / s) - shift;
+  return 1;
+}
+
+int solve_quartic(const double* c, double* roots) {
+  double c1 = c[1], c2 = c[2], c3 = c[3], c4 = c[4];
+  if (c[0] != 1) {
+    c1 /= c[0];
+    c2 /= c[0];
+    c3 /= c[0];
+    c4 /= c[0];
+  }
+  // Resolvent cubic.
+  const double c12 = c1 * c1;
+  const double p = -0.375 * c12 + c2;
+  const double q = 0.125 * c12 * c1 - 0.5 * c1 * c2 + c3;
+  const double r = -0.01171875 * c12 * c12 + 0.0625 * c12 * c2 - 0.25 * c1 * c3 + c4;
+  const double cubic[4] = {1, -0.5 * p, -r, 0.5 * r * p - 0.125 * q * q};
+  double z_roots[3];
+  if (solve_cubic(cubic, z_roots) == 0) return 0;
+  const double z = z_roots[0];
+  // Two quadratics.
+  double d1 = 2 * z - p, d2;
+  if (d1 < 0) {
+    if (d1 <= -kEpsilon) return 0;
+    d1 = 0;
+  }
+  if (d1 < kEpsilon) {
+    d2 = z * z - r;
+    if (d2 < 0) return 0;
+    d2 = std::sqrt(d2);
+  } else {
+    d1 = std::sqrt(d1);
+    d2 = 0.5 * q / d1;
+  }
+  const double q1 = d1 * d1;
+  const double shift = -0.25 * c1;
+  int count = 0;
+  double discriminant = q1 - 4 * (z - d2);
+  if (discriminant == 0) {
+    roots[count++] = -0.5 * d1 - shift;  // the reference's sign
+  } else if (discriminant > 0) {
+    const double root = std::sqrt(discriminant);
+    roots[count++] = -0.5 * (d1 + root) + shift;
+    roots[count++] = -0.5 * (d1 - root) + shift;
+  }
+  discriminant = q1 - 4 * (z + d2);
+  if (discriminant == 0) {
+    roots[count++] = 0.5 * d1 - shift;
+  } else if (discriminant > 0) {
+    const double root = std::sqrt(discriminant);
+    roots[count++] = 0.5 * (d1 + root) + shift;
+    roots[count++] = 0.5 * (d1 - root) + shift;
+  }
+  return count;
+}
+
+int solve_sturm(int degree, const double* c, double* roots) {
+  if (degree < 1) return 0;
+  if (degree == 1) {
+    const double root = -c[1] / c[0];
+    if (!(root > 0 && root <= kFarthestRoot)) return 0;
+    roots[0] = root;
+    return 1;
+  }
+  SturmSequence sequence;
+  build(sequence, degree, c);
+  const int at_zero = sequence.sign_changes([](const SturmTerm& t) { return t.c[0]; });
+  const int at_infinity = sequence.sign_changes([](const SturmTerm& t) { return t.c[t.degree]; });
+  if (at_zero == at_infinity) return 0;
+  const int low = sequence.changes_at(0), high = sequence.changes_at(kFarthestRoot);
+  return isolate(sequence, 0, kFarthestRoot, low, high, roots);
+}
+
+int solve_polynomial(int degree, const double* c, bool sturm, double epsilon, double* roots) {
+  while (degree > 0 && std::abs(c[0]) < kEpsilon) {
+    ++c;
+    --degree;
+  }
+  switch (degree) {
+    case 0: return 0;
+    case 1:
+      if (c[0] == 0) return 0;
+      roots[0] = -c[1] / c[0];
+      return 1;
+    case 2: return solve_quadratic(c, roots);
+    case 3:
+      if (epsilon > 0 && c[2] != 0 && std::abs(c[3] / c[2]) < epsilon) {
+        return solve_quadratic(c, roots);
+      }
+      return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots);
+    case 4:
+      if (epsilon > 0 && c[3] != 0 && std::abs(c[4] / c[3]) < epsilon) {
+        return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots);
+      }
+      return sturm || is_difficult(c) ? solve_sturm(4, c, roots) : solve_quartic(c, roots);
+    default: return solve_sturm(degree, c, roots);
+  }
+}
+
+}  // namespace durer

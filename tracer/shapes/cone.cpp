@@ -1,0 +1,165 @@
+// cylinder { <base>, <apex>, radius [open] }                         (spec/geometry.md 12.3)
+// cone { <base>, radius, <apex>, radius [open] }
+//
+// Local frame: z along the axis, z = 0 … 1; a cone's apex is the origin and its surface ρ = |z|.
+#include <cmath>
+
+#include "tracer/math/transform.h"
+#include "tracer/shapes/shape.h"
+
+namespace durer {
+namespace {
+
+enum Part : uint32_t { side, cap, base };
+
+// The frame that takes the unit solid to its place: z to the axis, scaled by (r, r, height).
+PlacedShape place(std::shared_ptr<const Shape> shape, const Vec3& origin, const Vec3& unit_axis,
+                  double radius, double height) {
+  const Transform frame = Transform::scaling({radius, radius, height})
+                              .then(Transform::from_z_axis(origin, unit_axis));
+  return {std::move(shape), true, frame};
+}
+
+class Cone final : public Shape {
+ public:
+  Cone(bool is_cylinder, double least_z, bool closed)
+      : is_cylinder_(is_cylinder), least_z_(least_z), closed_(closed) {}
+
+  Bounds bounds() const override { return {{-1, -1, least_z_}, {1, 1, 1}}; }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    double scale;
+    double depth[4];
+    Part part[4];
+    const int count = find(ray, scale, depth, part);
+    for (int i = 0; i < count; ++i) out.push(depth[i] * scale, part[i]);
+  }
+
+  bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
+    double scale;
+    double depth[4];
+    Part part[4];
+    const int count = find(ray, scale, depth, part);
+    double best = ray.t_max;
+    bool found = false;
+    for (int i = count; i-- > 0;) {
+      const double t = depth[i] * scale;
+      if (t < best && t >= kLeastHitDepth) {
+        best = t;
+        hit.t = t;
+        hit.part = part[i];
+        found = true;
+      }
+    }
+    return found;
+  }
+
+  bool inside(const Vec3& p) const override {
+    const double margin = closed_ ? -kGeometryEpsilon : kGeometryEpsilon;
+    const double radius2 = is_cylinder_ ? 1 : p.z * p.z;
+    return !(p.x * p.x + p.y * p.y > radius2 + margin || p.z < least_z_ - margin ||
+             p.z > 1 + margin);
+  }
+
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
+    switch (hit.part) {
+      case base: return {0, 0, -1};
+      case cap: return {0, 0, 1};
+      default: return {p.x, p.y, is_cylinder_ ? 0 : -p.z};
+    }
+  }
+
+ private:
+  // Depths in normalised local space in the order of the specification; returns their count.
+  int find(const ShapeRay& ray, double& scale, double* depth, Part* part) const {
+    scale = 1 / length(ray.direction);
+    const Vec3 d = ray.direction * scale;
+    const Vec3& o = ray.origin;
+    int count = 0;
+    const auto add = [&](double t, Part which) {
+      depth[count] = t;
+      part[count++] = which;
+    };
+    const auto add_side = [&](double t) {
+      if (!(t > 1e-9 && t < kGreatestDepth)) return;
+      const double z = o.z + t * d.z;
+      if (z >= least_z_ && z <= 1) add(t, side);
+    };
+    if (is_cylinder_) {
+      const double a = d.x * d.x + d.y * d.y;
+      if (a > kGeometryEpsilon) {
+        const double b = o.x * d.x + o.y * d.y;
+        const double c = o.x * o.x + o.y * o.y - 1;
+        const double discriminant = b * b - a * c;
+        if (discriminant >= 0) {
+          const double root = std::sqrt(discriminant);
+          add_side((-b + root) / a);
+          add_side((-b - root) / a);
+        }
+      }
+    } else {
+      const double a = d.x * d.x + d.y * d.y - d.z * d.z;
+      const double b = o.x * d.x + o.y * d.y - o.z * d.z;
+      const double c = o.x * o.x + o.y * o.y - o.z * o.z;
+      if (std::abs(a) < kGeometryEpsilon) {
+        if (std::abs(b) > kGeometryEpsilon) add_side(-0.5 * c / b);
+      } else {
+        const double discriminant = b * b - a * c;
+        if (discriminant >= 0) {
+          const double root = std::sqrt(discriminant);
+          add_side((-b - root) / a);
+          add_side((-b + root) / a);
+        }
+      }
+    }
+    if (closed_ && std::abs(d.z) > kGeometryEpsilon) {
+      const auto add_disc = [&](double z, double radius2, Part which) {
+        const double t = (z - o.z) / d.z;
+        const double x = o.x + t * d.x, y = o.y + t * d.y;
+        if (x * x + y * y <= radius2 && t > 1e-9 && t < kGreatestDepth) add(t, which);
+      };
+      add_disc(1, 1, cap);
+      add_disc(least_z_, is_cylinder_ ? 1 : least_z_ * least_z_, base);
+    }
+    return count;
+  }
+
+  bool is_cylinder_;
+  double least_z_;
+  bool closed_;
+};
+
+}  // namespace
+
+PlacedShape compile(const CylinderNode& node, const ShapeContext&) {
+  const Vec3 axis = node.base - node.apex;
+  const double height = length(axis);
+  if (!(height >= kGeometryEpsilon)) return {};
+  return place(std::make_shared<Cone>(true, 0, !node.open), node.apex, axis / height, node.radius,
+               height);
+}
+
+PlacedShape compile(const ConeNode& node, const ShapeContext& context) {
+  if (std::abs(node.base_radius - node.apex_radius) < kGeometryEpsilon) {
+    // Near enough a cylinder; its frame starts at the same end.
+    return compile(CylinderNode{node.apex, node.base, node.base_radius, node.open}, context);
+  }
+  // The wider end is the top; the narrower one lies towards the apex of the full cone.
+  const bool swap = node.base_radius < node.apex_radius;
+  const Vec3 wide = swap ? node.apex : node.base, narrow = swap ? node.base : node.apex;
+  const double wide_radius = swap ? node.apex_radius : node.base_radius;
+  const double narrow_radius = swap ? node.base_radius : node.apex_radius;
+  const Vec3 axis = wide - narrow;
+  const double height = length(axis);
+  if (!(height >= kGeometryEpsilon)) return {};
+  const Vec3 unit_axis = axis / height;
+  const double below = narrow_radius * height / (wide_radius - narrow_radius);
+  const double full_height = below + height;
+  if (std::abs((wide_radius - narrow_radius) * height / full_height) < kGeometryEpsilon) {
+    return compile(CylinderNode{wide, narrow, wide_radius, node.open}, context);
+  }
+  return place(std::make_shared<Cone>(false, below / full_height, !node.open),
+               narrow - below * unit_axis, unit_axis, wide_radius, full_height);
+}
+
+}  // namespace durer

@@ -1,0 +1,126 @@
+// polygon { n, <point>, … }                                          (spec/geometry.md 13.3)
+#include <cmath>
+
+#include "tracer/math/transform.h"
+#include "tracer/shapes/shape.h"
+
+namespace durer {
+namespace {
+
+constexpr double kSame = 1e-10;  // points this close, per coordinate, close a sub-polygon
+constexpr double kThickness = 1e-3;
+
+bool same_point(const Vec3& a, const Vec3& b) {
+  return std::abs(a.x - b.x) < kSame && std::abs(a.y - b.y) < kSame && std::abs(a.z - b.z) < kSame;
+}
+
+// In its own plane z = 0; the frame is kept beside it as a transform.
+class Polygon final : public Shape {
+ public:
+  explicit Polygon(std::vector<Vec2> points) : points_(std::move(points)) {
+    for (const Vec2& p : points_) box_.extend(Vec3(p.x, p.y, 0));
+  }
+
+  Bounds bounds() const override {
+    Bounds box = box_;
+    for (int i = 0; i < 3; ++i) {
+      if (box.max[i] - box.min[i] < kThickness) {
+        box.min[i] -= kThickness;
+        box.max[i] += kThickness;
+      }
+    }
+    return box;
+  }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    const double scale = 1 / length(ray.direction);
+    const Vec3 d = ray.direction * scale;
+    if (std::abs(d.z) < kGeometryEpsilon) return;
+    const double depth = -ray.origin.z / d.z;
+    if (!(depth >= 1e-8 && depth <= kGreatestDepth)) return;
+    if (covers(ray.origin.x + depth * d.x, ray.origin.y + depth * d.y)) out.push(depth * scale);
+  }
+
+  bool inside(const Vec3&) const override { return false; }
+  Vec3 normal(const Vec3&, const ShapeHit&) const override { return {0, 0, 1}; }
+  bool takes_inverse_mark() const override { return false; }
+
+ private:
+  // Even-odd parity of all sub-polygons along +x.
+  bool covers(double x, double y) const {
+    bool inside = false;
+    size_t first = 0;
+    bool previous_above = points_[0].y >= y;
+    for (size_t i = 1; i < points_.size();) {
+      const Vec2 &from = points_[i - 1], &to = points_[i];
+      const bool above = to.y >= y;
+      if (above != previous_above) {
+        const bool beyond =
+            (to.y - y) * (from.x - to.x) >= (to.x - x) * (from.y - to.y);
+        if (beyond == above) inside = !inside;
+      }
+      previous_above = above;
+      ++i;
+      if (to == points_[first] && i < points_.size()) {
+        first = i;
+        previous_above = points_[i].y >= y;
+        ++i;
+      }
+    }
+    return inside;
+  }
+
+  std::vector<Vec2> points_;  // closed sub-polygons one after another
+  Bounds box_;
+};
+
+}  // namespace
+
+PlacedShape compile(const PolygonNode& node, const ShapeContext&) {
+  if (node.points.size() < 3) return {};
+  // Close every sub-polygon exactly.
+  std::vector<Vec3> points = node.points;
+  size_t first = 0;
+  for (size_t i = 1; i < points.size(); ++i) {
+    if (same_point(points[i], points[first])) {
+      points[i] = points[first];
+      first = ++i;
+    }
+  }
+  if (first < points.size()) points.push_back(points[first]);
+
+  // The plane's frame from the first points that are not in line.
+  const Vec3 origin = points[0];
+  size_t i = 1;
+  Vec3 u0(0), v0(0);
+  for (; i < points.size(); ++i) {
+    u0 = points[i] - origin;
+    if (dot(u0, u0) > kGeometryEpsilon) break;
+  }
+  bool found = false;
+  for (++i; i < points.size() && !found; ++i) {
+    v0 = points[i] - origin;
+    const Vec3 w = cross(u0, v0);
+    found = dot(v0, v0) > kGeometryEpsilon && dot(w, w) > kGeometryEpsilon;
+  }
+  if (!found) return {};
+  const Vec3 w0 = cross(u0, v0);
+  const Vec3 u = normalize_or_zero(cross(v0, w0)), w = normalize_or_zero(w0);
+  Matrix matrix;
+  matrix.row[0] = u;
+  matrix.row[1] = normalize_or_zero(cross(w, u));
+  matrix.row[2] = w;
+  matrix.row[3] = origin;
+  Transform frame;
+  if (!Transform::from_matrix(matrix, frame)) return {};
+
+  std::vector<Vec2> flat;
+  for (const Vec3& p : points) {
+    if (std::abs(dot(p - origin, w)) > kGeometryEpsilon) return {};
+    const Vec3 local = frame.inverse_point(p);
+    flat.push_back({local.x, local.y});
+  }
+  return {std::make_shared<Polygon>(std::move(flat)), true, frame};
+}
+
+}  // namespace durer

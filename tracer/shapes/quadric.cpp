@@ -1,0 +1,165 @@
+// quadric { <A,E,H>, <B,C,F>, <D,G,I>, J }                           (spec/geometry.md 14.2)
+//
+// A x² + E y² + H z² + B xy + C xz + F yz + D x + G y + I z + J = 0. Transforms go into the
+// coefficients.
+#include "tracer/shapes/quadric.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/math/transform.h"
+
+namespace durer {
+
+int Quadric::depths(const ShapeRay& ray, double* t) const {
+  const Vec3 &d = ray.direction, &o = ray.origin;
+  const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
+  const double a = d.x * (s.x * d.x + m.x * d.y + m.y * d.z) + d.y * (s.y * d.y + m.z * d.z) +
+                   d.z * s.z * d.z;
+  const double b = 0.5 * (d.x * (s.x * o.x * 2 + m.x * o.y + m.y * o.z + l.x) +
+                          d.y * (m.x * o.x + s.y * o.y * 2 + m.z * o.z + l.y) +
+                          d.z * (m.y * o.x + m.z * o.y + s.z * o.z * 2 + l.z));
+  const double c = o.x * (s.x * o.x + m.x * o.y + m.y * o.z + l.x) +
+                   o.y * (s.y * o.y + m.z * o.z + l.y) + o.z * (s.z * o.z + l.z) + q_.constant;
+  if (a == 0) {
+    if (b == 0) return 0;
+    t[0] = -0.5 * c / b;
+    return 1;
+  }
+  const double discriminant = b * b - a * c;
+  if (!(discriminant > 0)) return 0;
+  const double root = std::sqrt(discriminant);
+  t[0] = (-b + root) / a;
+  t[1] = (-b - root) / a;
+  return 2;
+}
+
+void Quadric::hits(const ShapeRay& ray, HitStack& out) const {
+  double t[2];
+  const int count = depths(ray, t);
+  for (int i = 0; i < count; ++i) {
+    if (t[i] > 1e-6 && t[i] < kGreatestDepth) out.push(t[i]);
+  }
+}
+
+bool Quadric::closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const {
+  double t[2];
+  double best = ray.t_max;
+  for (int i = depths(ray, t); i-- > 0;) {
+    if (t[i] >= kLeastHitDepth && t[i] < kGreatestDepth && t[i] < best) best = t[i];
+  }
+  if (best >= ray.t_max) return false;
+  hit.t = best;
+  hit.part = 0;
+  return true;
+}
+
+bool Quadric::inside(const Vec3& p) const {
+  const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
+  return p.x * (s.x * p.x + m.x * p.y + m.y * p.z + l.x) + p.y * (s.y * p.y + m.z * p.z + l.y) +
+             p.z * (s.z * p.z + l.z) + q_.constant <=
+         0;
+}
+
+Vec3 Quadric::normal(const Vec3& p, const ShapeHit&) const {
+  const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
+  const Vec3 n(2 * s.x * p.x + m.x * p.y + m.y * p.z + l.x,
+               m.x * p.x + 2 * s.y * p.y + m.z * p.z + l.y,
+               m.y * p.x + m.z * p.y + 2 * s.z * p.z + l.z);
+  return n == Vec3(0) ? Vec3(1, 0, 0) : n;
+}
+
+std::shared_ptr<const Shape> Quadric::transformed(const Transform& transform) const {
+  // Substitute p = p'·M⁻¹ into the form: Q' = M⁻¹ Q M⁻ᵀ, with Q symmetric 4×4.
+  double q[4][4] = {
+      {q_.square.x, q_.mixed.x / 2, q_.mixed.y / 2, q_.linear.x / 2},
+      {q_.mixed.x / 2, q_.square.y, q_.mixed.z / 2, q_.linear.y / 2},
+      {q_.mixed.y / 2, q_.mixed.z / 2, q_.square.z, q_.linear.z / 2},
+      {q_.linear.x / 2, q_.linear.y / 2, q_.linear.z / 2, q_.constant}};
+  double m[4][4];
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) m[i][j] = transform.inverse.row[i][j];
+    m[i][3] = i == 3 ? 1 : 0;
+  }
+  double mq[4][4], r[4][4];
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      mq[i][j] = 0;
+      for (int k = 0; k < 4; ++k) mq[i][j] += m[i][k] * q[k][j];
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      r[i][j] = 0;
+      for (int k = 0; k < 4; ++k) r[i][j] += mq[i][k] * m[j][k];
+    }
+  }
+  QuadricNode moved;
+  moved.square = {r[0][0], r[1][1], r[2][2]};
+  moved.mixed = {r[0][1] + r[1][0], r[0][2] + r[2][0], r[1][2] + r[2][1]};
+  moved.linear = {r[0][3] + r[3][0], r[1][3] + r[3][1], r[2][3] + r[3][2]};
+  moved.constant = r[3][3];
+  return std::make_shared<Quadric>(moved);
+}
+
+std::shared_ptr<const Shape> Quadric::inverted() const {
+  return std::make_shared<Quadric>(
+      QuadricNode{-q_.square, -q_.mixed, -q_.linear, -q_.constant});
+}
+
+bool Quadric::bounds_within(const Bounds& range, Bounds& box) const {
+  if (std::abs(q_.mixed.x) >= kGeometryEpsilon || std::abs(q_.mixed.y) >= kGeometryEpsilon ||
+      std::abs(q_.mixed.z) >= kGeometryEpsilon) {
+    return false;
+  }
+  // s.x (x-c.x)² + s.y (y-c.y)² + s.z (z-c.z)² = rhs, linear terms left where s is 0.
+  Vec3 s = q_.square, center(0), linear(0);
+  double rhs = -q_.constant;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(s[i]) < kGeometryEpsilon) {
+      s[i] = 0;
+      linear[i] = std::abs(q_.linear[i]) < kGeometryEpsilon ? 0 : q_.linear[i];
+      continue;
+    }
+    center[i] = -q_.linear[i] / (2 * s[i]);
+    rhs += s[i] * center[i] * center[i];
+  }
+  if (rhs < 0) {
+    s = -s;
+    linear = -linear;
+    rhs = -rhs;
+  }
+  // Where every term is a square of one sign, each axis is bounded by its own; a paraboloid's or
+  // cone's is bounded through the range of the remaining axis.
+  box = Bounds::everything();
+  box.clip(range);
+  bool found = false;
+  for (int i = 0; i < 3; ++i) {
+    if (!(s[i] > 0)) continue;
+    // s_i x_i² ≤ rhs − min over the range of the other terms.
+    double most = rhs;
+    for (int j = 0; j < 3 && most < kUnboundedExtent; ++j) {
+      if (j == i) continue;
+      if (s[j] < 0) {
+        const double reach = std::max(std::abs(range.min[j] - center[j]),
+                                      std::abs(range.max[j] - center[j]));
+        most = reach >= 1e9 ? 1e30 : most - s[j] * reach * reach;
+      } else if (s[j] == 0 && linear[j] != 0) {
+        const double end = linear[j] > 0 ? range.min[j] : range.max[j];
+        most = std::abs(end) >= 1e9 ? 1e30 : most - linear[j] * end;
+      }
+    }
+    if (most >= 1e30) continue;
+    const double extent = most > 0 ? std::sqrt(most / s[i]) : 0;
+    box.min[i] = std::max(box.min[i], center[i] - extent);
+    box.max[i] = std::min(box.max[i], center[i] + extent);
+    found = true;
+  }
+  return found && !box.is_empty();
+}
+
+PlacedShape compile(const QuadricNode& node, const ShapeContext&) {
+  return {std::make_shared<Quadric>(node), false, {}};
+}
+
+}  // namespace durer

@@ -1,0 +1,31 @@
+// The quadric's numbers, for its automatic bounds (spec/geometry.md 14.2).
+#pragma once
+
+#include "tracer/shapes/shape.h"
+
+namespace durer {
+
+class Quadric final : public Shape {
+ public:
+  explicit Quadric(const QuadricNode& coefficients) : q_(coefficients) {}
+
+  Bounds bounds() const override { return Bounds::everything(); }
+  void hits(const ShapeRay& ray, HitStack& out) const override;
+  bool closest(const ShapeRay& ray, HitStack& scratch, ShapeHit& hit) const override;
+  bool inside(const Vec3& p) const override;
+  // Both turn it over: the coefficients change sign and the object is marked.
+  bool inside_inverted(const Vec3& p) const override { return inside(p); }
+  Vec3 normal(const Vec3& p, const ShapeHit&) const override;
+  std::shared_ptr<const Shape> transformed(const Transform& transform) const override;
+  std::shared_ptr<const Shape> inverted() const override;
+
+  // The box of the part inside `range`, by the reference's rules; false: none was found.
+  bool bounds_within(const Bounds& range, Bounds& box) const;
+
+ private:
+  int depths(const ShapeRay& ray, double* t) const;
+
+  QuadricNode q_;
+};
+
+}  // namespace durer

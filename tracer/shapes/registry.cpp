@@ -1,0 +1,52 @@
+// Which file compiles which statement. To add a shape: declare its `compile` here.
+#include "tracer/scene/light.h"
+#include "tracer/scene/not_supported.h"
+#include "tracer/shapes/shape.h"
+
+namespace durer {
+
+PlacedShape compile(const SphereNode& node, const ShapeContext& context);
+PlacedShape compile(const BoxNode& node, const ShapeContext& context);
+PlacedShape compile(const PlaneNode& node, const ShapeContext& context);
+PlacedShape compile(const CylinderNode& node, const ShapeContext& context);
+PlacedShape compile(const ConeNode& node, const ShapeContext& context);
+PlacedShape compile(const DiscNode& node, const ShapeContext& context);
+PlacedShape compile(const TorusNode& node, const ShapeContext& context);
+PlacedShape compile(const TriangleNode& node, const ShapeContext& context);
+PlacedShape compile(const SmoothTriangleNode& node, const ShapeContext& context);
+PlacedShape compile(const PolygonNode& node, const ShapeContext& context);
+PlacedShape compile(const QuadricNode& node, const ShapeContext& context);
+
+namespace {
+
+// Every other statement, by name.
+const char* name_of(const ShapeNode& node) {
+  static constexpr const char* kNames[] = {
+      "sphere", "box", "plane", "cylinder", "cone", "disc", "torus", "superellipsoid", "ovus",
+      "triangle", "smooth_triangle", "polygon", "quadric", "poly", "lathe", "sor", "prism",
+      "sphere_sweep", "blob", "text", "height_field", "bicubic_patch", "mesh", "isosurface",
+      "parametric", "julia_fractal", "CSG", "light_source"};
+  static_assert(std::size(kNames) == std::variant_size_v<ShapeNode>);
+  return kNames[node.index()];
+}
+
+template <typename Node>
+concept Compilable = requires(const Node& node, const ShapeContext& context) {
+  compile(node, context);
+};
+
+}  // namespace
+
+PlacedShape compile_shape(const ShapeNode& node, const ShapeContext& context) {
+  return std::visit(
+      [&](const auto& shape) -> PlacedShape {
+        if constexpr (Compilable<std::decay_t<decltype(shape)>>) {
+          return compile(shape, context);
+        } else {
+          throw NotSupported(name_of(node), context.position);
+        }
+      },
+      node);
+}
+
+}  // namespace durer

@@ -1,0 +1,117 @@
+// The interface of every shape: immutable, in its own space, without texture or flags
+// (design.md rule 2). How to add one: a file with `compile(const XNode&, …)`, and its declaration in
+// registry.cpp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tracer/scene/shapes.h"
+
+namespace durer {
+
+// spec/geometry.md 1
+inline constexpr double kGeometryEpsilon = 1e-10;
+inline constexpr double kLeastHitDepth = 1e-4;   // of an accepted nearest hit, world distance
+inline constexpr double kGreatestDepth = 1e7;    // of most shapes
+inline constexpr double kHugeDepth = 2e10;       // where searches start
+
+// A ray in a shape's space. Parameters are world distances: the direction is not renormalised.
+struct ShapeRay {
+  Vec3 origin;
+  Vec3 direction;
+  bool unit_direction = false;  // known to be of length 1
+  bool csg_child = false;       // all hits are needed; otherwise a shape may stop at its first
+  double t_max = kHugeDepth;    // hits from here on are of no interest (a hint)
+};
+
+struct ShapeHit {
+  double t;       // world distance
+  uint32_t node;  // who was hit; filled in by HitStack
+  uint32_t part;  // side, segment, triangle …: the shape's own business
+  float u, v;     // likewise
+};
+
+// Where shapes push their hits. One per thread, reused: it does not allocate once it has grown.
+class HitStack {
+ public:
+  HitStack() { hits_.reserve(256); }
+  void push(double t, uint32_t part = 0, float u = 0, float v = 0) {
+    hits_.push_back({t, owner, part, u, v});
+  }
+  void push(const ShapeHit& hit) { hits_.push_back(hit); }
+  size_t size() const { return hits_.size(); }
+  void shrink(size_t size) { hits_.resize(size); }
+  ShapeHit& operator[](size_t i) { return hits_[i]; }
+  const ShapeHit& operator[](size_t i) const { return hits_[i]; }
+
+  uint32_t owner = 0;  // the node whose shape pushes at present
+
+ private:
+  std::vector<ShapeHit> hits_;
+};
+
+// A share of a surface in one of Shape::own_textures(); -1: in the object's texture.
+struct ShapeTexture {
+  int index;
+  float weight;
+};
+
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  // Encloses the surface; kUnboundedExtent where there is no bound. Reported by min_extent(), so
+  // with the margins of the specification and no others.
+  virtual Bounds bounds() const = 0;
+  // Pushes every hit within the shape's own depth limits (spec/geometry.md 16.1), in the order of
+  // the specification: of equal depths the last one wins.
+  virtual void hits(const ShapeRay& ray, HitStack& out) const = 0;
+  // Solid test, without any inverse mark. Patches: always false.
+  virtual bool inside(const Vec3& point) const = 0;
+  // The same test of the inverted solid; differs from the negation where borders are in neither.
+  virtual bool inside_inverted(const Vec3& point) const { return !inside(point); }
+  // Local, of any length but zero.
+  virtual Vec3 normal(const Vec3& point, const ShapeHit& hit) const = 0;
+  virtual Vec2 uv(const Vec3& point, const Vec3& world_point, const ShapeHit& hit) const;
+
+  // The hit of least depth t with kLeastHitDepth <= t < ray.t_max.
+  virtual bool closest(const ShapeRay& ray, HitStack& scratch, ShapeHit& hit) const;
+
+  // The same shape moved, if it takes this transform into itself; otherwise null: then the
+  // transform is kept beside the shape.
+  virtual std::shared_ptr<const Shape> transformed(const Transform& transform) const;
+  // The same shape for `inverse`, if it takes it into itself (plane, quadric).
+  virtual std::shared_ptr<const Shape> inverted() const;
+
+  // No inside, not invertible (spec/geometry.md 13).
+  virtual bool is_patch() const { return false; }
+  // `inverse` marks the object (spec/geometry.md 4.3).
+  virtual bool takes_inverse_mark() const { return !is_patch(); }
+  // Seen outside its box where there is no hierarchy (spec/geometry.md 2.2).
+  virtual bool is_exempt_from_box_test() const { return false; }
+  // Textures of components (blob, mesh), and their shares at a hit; at most `capacity`.
+  virtual const std::vector<TexturePtr>* own_textures() const { return nullptr; }
+  virtual int texture_shares(const Vec3& point, const ShapeHit& hit, ShapeTexture* shares,
+                             int capacity) const;
+  // False when every part has its own texture, so the object needs none.
+  virtual bool needs_object_texture() const { return true; }
+};
+
+// A shape with the transform that its statement implies (axis frames).
+struct PlacedShape {
+  std::shared_ptr<const Shape> shape;
+  bool has_transform = false;
+  Transform transform;
+};
+
+struct ShapeContext {
+  SourcePosition position;
+  int effective_version = 370;
+};
+
+// Null shape: never hit (degenerate). Throws NotSupported for shapes that cannot be rendered yet.
+PlacedShape compile_shape(const ShapeNode& node, const ShapeContext& context);
+
+}  // namespace durer

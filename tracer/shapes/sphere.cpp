@@ -1,0 +1,124 @@
+// sphere { <center>, radius }                                        (spec/geometry.md 12.1)
+//
+// A sphere stays one under translate, rotate and uniform scale; any other transform is kept beside
+// it and makes it an ellipsoid.
+#include <cmath>
+
+#include "tracer/math/transform_kind.h"
+#include "tracer/shapes/shape.h"
+#include "tracer/shapes/sphere.h"
+#include "tracer/shapes/spherical_angle.h"
+
+namespace durer {
+namespace {
+
+class Sphere final : public Shape {
+ public:
+  Sphere(const Vec3& center, double radius) : center_(center), radius_(radius) {}
+
+  Bounds bounds() const override { return {center_ - Vec3(radius_), center_ + Vec3(radius_)}; }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    double near, far;
+    const double scale = depths(ray, near, far);
+    if (scale == 0) return;
+    if (near > 1e-6 && near < kGreatestDepth) out.push(near * scale);
+    if (far > 1e-6 && far < kGreatestDepth) out.push(far * scale);
+  }
+
+  bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
+    double near, far;
+    const double scale = depths(ray, near, far);
+    if (scale == 0) return false;
+    for (const double depth : {near, far}) {
+      const double t = depth * scale;
+      if (depth > 1e-6 && depth < kGreatestDepth && t >= kLeastHitDepth) {
+        if (t >= ray.t_max) return false;
+        hit.t = t;
+        hit.part = 0;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool inside(const Vec3& p) const override {
+    const Vec3 d = p - center_;
+    return dot(d, d) < radius_ * radius_;
+  }
+  bool inside_inverted(const Vec3& p) const override {
+    const Vec3 d = p - center_;
+    return dot(d, d) > radius_ * radius_;
+  }
+  Vec3 normal(const Vec3& p, const ShapeHit&) const override { return (p - center_) / radius_; }
+
+  Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit&) const override {
+    Vec3 d = p - center_;
+    if (orientation_) d = orientation_->direction(d);
+    d /= length(d);
+    const double sine = d.y > 1 ? 1 : (d.y < -1 ? -1 : d.y);
+    return {spherical_angle(d.x, d.z) / (2 * M_PI), 0.5 + std::asin(sine) / M_PI};
+  }
+
+  std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
+    const TransformKind kind = kind_of(transform);
+    double factor = 1;
+    if (kind == TransformKind::scaling) {
+      const Vec3 s{transform.forward.row[0].x, transform.forward.row[1].y,
+                   transform.forward.row[2].z};
+      if (s.x != s.y || s.x != s.z) return nullptr;
+      factor = s.x;
+    } else if (kind == TransformKind::general) {
+      return nullptr;
+    }
+    auto result = std::make_shared<Sphere>(transform.point(center_), radius_ * std::abs(factor));
+    result->orientation_ = orientation_;
+    if (kind == TransformKind::rotation || factor < 0) {
+      // Longitude and latitude are taken back through all turns.
+      Matrix back = transform.inverse;
+      back.row[3] = Vec3(0);
+      result->orientation_ =
+          std::make_shared<const Matrix>(orientation_ ? back * *orientation_ : back);
+    }
+    return result;
+  }
+  bool is_exempt_from_box_test() const override { return true; }
+
+ private:
+  // Both depths in normalised local space; returns world distance per unit, 0 for a miss.
+  double depths(const ShapeRay& ray, double& near, double& far) const {
+    Vec3 direction = ray.direction;
+    double scale = 1;
+    if (!ray.unit_direction) {
+      scale = 1 / length(direction);
+      direction *= scale;
+    }
+    const Vec3 to_center = center_ - ray.origin;
+    const double squared = dot(to_center, to_center);
+    const double along = dot(to_center, direction);
+    const double radius2 = radius_ * radius_;
+    if (squared >= radius2 && along < kGeometryEpsilon) return 0;
+    const double half_chord2 = radius2 - squared + along * along;
+    if (!(half_chord2 > kGeometryEpsilon)) return 0;
+    const double half_chord = std::sqrt(half_chord2);
+    near = along - half_chord;
+    far = along + half_chord;
+    return scale;
+  }
+
+  Vec3 center_;
+  double radius_;
+  std::shared_ptr<const Matrix> orientation_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Shape> make_sphere(const Vec3& center, double radius) {
+  return std::make_shared<Sphere>(center, radius);
+}
+
+PlacedShape compile(const SphereNode& node, const ShapeContext&) {
+  return {make_sphere(node.center, node.radius), false, {}};
+}
+
+}  // namespace durer
