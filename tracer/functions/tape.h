@@ -80,9 +80,9 @@ class TapeBuilder {
   // Throws FunctionError("division by zero") for `t / 0`.
   FunctionHandle finish(Term body);
 
+  struct Expression;  // expression_tree.h
+
  private:
-  friend class TapeEmitter;
-  struct Expression;
   std::unique_ptr<Expression> expression_;
 };
 
