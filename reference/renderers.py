@@ -132,7 +132,8 @@ ERROR_WORDS = ("not supported yet", "error", "fatal", "cannot", "sanitizer", "te
 
 def first_error(text):
     """The first line that tells what is wrong, else the last line."""
-    lines = [line.strip() for line in text.replace("\r", "\n").splitlines() if line.strip()]
+    lines = [line.strip() for line in text.replace("\r", "\n").splitlines()
+             if line.strip() and "user configuration file" not in line]
     for line in lines:
         if any(word in line.lower() for word in ERROR_WORDS):
             return line[:300]
