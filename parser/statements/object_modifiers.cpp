@@ -1,0 +1,249 @@
+// What may follow an object's parameters (spec/language.md 25).
+#include "parser/parser.h"
+#include "parser/statements/objects.h"
+#include "parser/statements/textures.h"
+#include "parser/statements/transformations.h"
+
+namespace durer {
+
+ObjectBuilder::ObjectBuilder(Parser& parser)
+    : parser_(parser), node_(std::make_shared<ObjectNode>()) {
+  node_->position = parser.position();
+}
+
+ObjectBuilder::ObjectBuilder(Parser& parser, const ObjectPtr& base) : ObjectBuilder(parser) {
+  node_->base = base;
+  textures_ = resolve_textures(*base);
+}
+
+bool ObjectBuilder::accept_base() {
+  node_->base = parser_.accept_identifier<ObjectNode>(ValueKind::object);
+  if (node_->base) textures_ = resolve_textures(*node_->base);
+  return node_->base != nullptr;
+}
+
+void ObjectBuilder::set_shape(ShapeNode shape) {
+  node_->shape = std::make_shared<const ShapeNode>(std::move(shape));
+}
+
+ObjectPtr ObjectBuilder::finish(const char* what) {
+  while (accept_modifier()) {
+  }
+  if (textures_.interior_texture && !textures_.texture &&
+      !std::holds_alternative<CsgNode>(shape_of(*node_))) {
+    parser_.error("an interior_texture needs a texture on the outside, too");
+  }
+  parser_.expect_close(what);
+  return node_;
+}
+
+bool ObjectBuilder::accept_modifier() {
+  Transform transform;
+  if (accept_transformation(parser_, transform)) {
+    if (!textures_.uv_mapping) {
+      textures_.texture = transformed(textures_.texture, transform);
+      textures_.interior_texture = transformed(textures_.interior_texture, transform);
+    }
+    add(transform);
+    return true;
+  }
+  if (accept_texture_item() || accept_flag()) return true;
+  if (parser_.accept(Keyword::bounded_by)) {
+    parse_clips(true);
+  } else if (parser_.accept(Keyword::clipped_by)) {
+    parse_clips(false);
+  } else if (parser_.accept(Keyword::photons)) {
+    add(SetPhotons{parse_object_photons(parser_)});
+  } else if (parser_.accept(Keyword::radiosity)) {
+    add(SetRadiosityImportance{parse_radiosity_importance(parser_)});
+  } else if (parser_.accept(Keyword::dtag)) {
+    parser_.parse_string();
+  } else if (parser_.at_color_start()) {
+    parser_.parse_color();
+    parser_.warning("a colour belongs into the texture; this one is ignored");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void ObjectBuilder::set_texture(TexturePtr texture) {
+  textures_.texture = std::move(texture);
+  add(SetTexture{textures_.texture});
+}
+
+// The texture that `pigment{}` and its like change: the object's, or a copy of the default one.
+TexturePtr ObjectBuilder::texture_to_modify() {
+  if (textures_.texture && textures_.texture->kind != TextureNode::Kind::plain) {
+    parser_.error("a patterned texture cannot be changed by a pigment, normal or finish here");
+  }
+  return textures_.texture ? textures_.texture : default_texture(parser_);
+}
+
+bool ObjectBuilder::accept_texture_item() {
+  if (parser_.accept(Keyword::texture)) {
+    const TexturePtr top = parse_texture(parser_);
+    set_texture(textures_.texture ? layer_texture(parser_, textures_.texture, top) : top);
+  } else if (parser_.accept(Keyword::pigment)) {
+    auto texture = std::make_shared<TextureNode>(*texture_to_modify());
+    texture->pigment = parse_pigment(parser_, texture->pigment);
+    set_texture(texture);
+  } else if (parser_.accept(Keyword::normal)) {
+    auto texture = std::make_shared<TextureNode>(*texture_to_modify());
+    texture->normal = parse_normal(parser_, texture->normal);
+    set_texture(texture);
+  } else if (parser_.accept(Keyword::finish)) {
+    auto texture = std::make_shared<TextureNode>(*texture_to_modify());
+    texture->finish = parse_finish(parser_, texture->finish);
+    set_texture(texture);
+  } else if (parser_.accept(Keyword::interior_texture)) {
+    const TexturePtr top = parse_texture(parser_);
+    textures_.interior_texture =
+        textures_.interior_texture ? layer_texture(parser_, textures_.interior_texture, top) : top;
+    add(SetInteriorTexture{textures_.interior_texture});
+  } else if (parser_.accept(Keyword::interior)) {
+    textures_.interior = parse_interior(parser_);
+    add(SetInterior{textures_.interior});
+  } else if (parser_.accept(Keyword::material)) {
+    const auto material = parse_material(parser_);
+    if (material->texture) set_texture(material->texture);
+    if (material->interior_texture) {
+      textures_.interior_texture = material->interior_texture;
+      add(SetInteriorTexture{textures_.interior_texture});
+    }
+    if (material->interior) {
+      textures_.interior = material->interior;
+      add(SetInterior{textures_.interior});
+    }
+  } else if (parser_.accept(Keyword::uv_mapping)) {
+    if (textures_.texture) parser_.error("uv_mapping must come before the texture");
+    textures_.uv_mapping = true;
+    add(SetFlag{ObjectFlag::uv_mapping, true});
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool ObjectBuilder::accept_flag() {
+  struct Switch {
+    Keyword keyword;
+    ObjectFlag flag;
+  };
+  static constexpr Switch kSwitches[] = {
+      {Keyword::hollow, ObjectFlag::hollow},
+      {Keyword::double_illuminate, ObjectFlag::double_illuminate},
+      {Keyword::no_image, ObjectFlag::no_image},
+      {Keyword::no_reflection, ObjectFlag::no_reflection},
+      {Keyword::no_radiosity, ObjectFlag::no_radiosity},
+  };
+  for (const Switch& entry : kSwitches) {
+    if (!parser_.accept(entry.keyword)) continue;
+    add(SetFlag{entry.flag, parser_.parse_optional_switch()});
+    return true;
+  }
+  if (parser_.accept(Keyword::no_shadow)) {
+    add(SetFlag{ObjectFlag::no_shadow, true});
+  } else if (parser_.accept(Keyword::inverse)) {
+    if (!is_solid(*node_)) {
+      parser_.warning("this object is a patch without an inside: inverse has no effect");
+    }
+    add(SetFlag{ObjectFlag::inverse, true});
+  } else if (parser_.accept(Keyword::sturm)) {
+    check_supported(Keyword::sturm);
+    add(SetFlag{ObjectFlag::sturm, parser_.parse_optional_switch()});
+  } else if (parser_.accept(Keyword::hierarchy)) {
+    check_supported(Keyword::hierarchy);
+    add(SetFlag{ObjectFlag::hierarchy, parser_.parse_optional_switch()});
+  } else if (parser_.accept(Keyword::split_union)) {
+    const auto* csg = std::get_if<CsgNode>(&shape_of(*node_));
+    if (!csg || (csg->kind != CsgKind::union_ && csg->kind != CsgKind::merge)) {
+      parser_.error("split_union belongs to unions only");
+    }
+    add(SetFlag{ObjectFlag::split_union, parser_.parse_float() != 0});
+  } else if (parser_.accept(Keyword::cutaway_textures)) {
+    const auto* csg = std::get_if<CsgNode>(&shape_of(*node_));
+    if (!csg || (csg->kind != CsgKind::intersection && csg->kind != CsgKind::difference)) {
+      parser_.error("cutaway_textures belongs to intersections and differences only");
+    }
+    add(SetFlag{ObjectFlag::cutaway_textures, true});
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// sturm and hierarchy mean something to a few shapes only (spec/geometry.md 16.3).
+void ObjectBuilder::check_supported(Keyword keyword) {
+  const ShapeNode& shape = shape_of(*node_);
+  const auto is = [&]<typename... Kinds>() { return (std::holds_alternative<Kinds>(shape) || ...); };
+  const bool ok =
+      keyword == Keyword::sturm
+          ? is.operator()<TorusNode, OvusNode, PolyNode, LatheNode, SorNode, PrismNode, BlobNode,
+                          SphereSweepNode>()
+          : is.operator()<BlobNode, HeightFieldNode, MeshNode>();
+  if (!ok) {
+    parser_.error(std::string("'") + (keyword == Keyword::sturm ? "sturm" : "hierarchy") +
+                  "' has no meaning for this object");
+  }
+}
+
+void ObjectBuilder::parse_clips(bool bounds) {
+  const char* what = bounds ? "bounded_by" : "clipped_by";
+  parser_.expect_open(what);
+  if (parser_.accept(bounds ? Keyword::clipped_by : Keyword::bounded_by)) {
+    if (bounds) {
+      add(ShareClipsAsBounds{});
+    } else {
+      add(ShareBoundsAsClips{});
+    }
+    parser_.expect_close(what);
+    return;
+  }
+  std::vector<ObjectPtr> objects;
+  while (ObjectPtr object = parse_object(parser_)) {
+    if (!is_solid(*object) || resolve_textures(*object).texture) {
+      parser_.error(std::string(what) + " takes solid objects without textures only");
+    }
+    objects.push_back(std::move(object));
+  }
+  if (objects.empty()) parser_.error_expected("an object");
+  Transform all = parse_transformations(parser_);
+  if (!all.is_identity()) {
+    for (ObjectPtr& object : objects) {
+      auto moved = std::make_shared<ObjectNode>();
+      moved->base = object;
+      moved->position = object->position;
+      moved->modifiers.push_back(all);
+      object = moved;
+    }
+  }
+  if (bounds) {
+    add(AddBounds{std::move(objects)});
+  } else {
+    add(AddClips{std::move(objects)});
+  }
+  parser_.expect_close(what);
+}
+
+bool is_solid(const ObjectNode& object) {
+  const ShapeNode& shape = shape_of(object);
+  if (const auto* mesh = std::get_if<MeshNode>(&shape)) return mesh->inside_vector.has_value();
+  if (const auto* csg = std::get_if<CsgNode>(&shape)) {
+    for (const ObjectPtr& child : csg->children) {
+      if (!is_solid(*child) && !std::holds_alternative<std::shared_ptr<const LightNode>>(
+                                   shape_of(*child))) {
+        return false;
+      }
+    }
+    return true;
+  }
+  return !std::holds_alternative<TriangleNode>(shape) &&
+         !std::holds_alternative<SmoothTriangleNode>(shape) &&
+         !std::holds_alternative<PolygonNode>(shape) && !std::holds_alternative<DiscNode>(shape) &&
+         !std::holds_alternative<BicubicPatchNode>(shape) &&
+         !std::holds_alternative<ParametricNode>(shape) &&
+         !std::holds_alternative<std::shared_ptr<const LightNode>>(shape);
+}
+
+}  // namespace durer

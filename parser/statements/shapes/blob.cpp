@@ -1,0 +1,100 @@
+// blob (spec/geometry.md 12.7).
+#include "parser/parser.h"
+#include "parser/statements/shapes/shape_parsers.h"
+#include "parser/statements/textures.h"
+#include "parser/statements/transformations.h"
+
+namespace durer {
+namespace {
+
+double parse_strength(Parser& parser) {
+  parser.accept_comma();
+  parser.accept(Keyword::strength);
+  const double strength = parser.parse_float();
+  parser.accept_comma();
+  return strength;
+}
+
+// Transformations and textures of one component, up to its brace.
+void parse_component_modifiers(Parser& parser, BlobComponent& component, const char* what) {
+  Transform transform;
+  for (;;) {
+    if (accept_transformation(parser, transform)) {
+      component.transform = component.transform.then(transform);
+      component.texture = transformed(component.texture, transform);
+    } else if (parser.accept(Keyword::texture)) {
+      const TexturePtr top = parse_texture(parser);
+      component.texture =
+          component.texture ? layer_texture(parser, component.texture, top) : top;
+    } else if (parser.at(Keyword::pigment) || parser.at(Keyword::normal) ||
+               parser.at(Keyword::finish)) {
+      auto texture = std::make_shared<TextureNode>(
+          component.texture ? *component.texture : *default_texture(parser));
+      if (parser.accept(Keyword::pigment)) {
+        texture->pigment = parse_pigment(parser, texture->pigment);
+      } else if (parser.accept(Keyword::normal)) {
+        texture->normal = parse_normal(parser, texture->normal);
+      } else {
+        parser.next();
+        texture->finish = parse_finish(parser, texture->finish);
+      }
+      component.texture = texture;
+    } else {
+      break;
+    }
+  }
+  parser.expect_close(what);
+}
+
+}  // namespace
+
+ShapeNode parse_blob(Parser& parser) {
+  BlobNode node;
+  for (;;) {
+    if (parser.accept(Keyword::threshold)) {
+      node.threshold = parser.parse_float();
+    } else if (parser.accept(Keyword::sphere)) {
+      BlobComponent component;
+      parser.expect_open("sphere");
+      component.center = parser.parse_vector();
+      parser.accept_comma();
+      component.radius = parser.parse_float();
+      component.strength = parse_strength(parser);
+      parse_component_modifiers(parser, component, "sphere");
+      node.components.push_back(std::move(component));
+    } else if (parser.accept(Keyword::cylinder)) {
+      BlobComponent component;
+      component.is_cylinder = true;
+      parser.expect_open("cylinder");
+      component.center = parser.parse_vector();
+      parser.accept_comma();
+      component.apex = parser.parse_vector();
+      parser.accept_comma();
+      component.radius = parser.parse_float();
+      component.strength = parse_strength(parser);
+      if (component.center == component.apex) {
+        parser.error("the two ends of a blob's cylinder are the same point");
+      }
+      parse_component_modifiers(parser, component, "cylinder");
+      node.components.push_back(std::move(component));
+    } else if (parser.accept(Keyword::component)) {
+      BlobComponent component;
+      component.strength = parser.parse_float();
+      parser.accept_comma();
+      component.radius = parser.parse_float();
+      parser.accept_comma();
+      component.center = parser.parse_vector();
+      node.components.push_back(std::move(component));
+    } else {
+      break;
+    }
+  }
+  if (node.components.empty()) parser.error("a blob needs at least one component");
+  if (node.threshold <= 0) parser.error("a blob's threshold must be positive");
+  for (const BlobComponent& component : node.components) {
+    if (component.radius <= 0) parser.error("the radius of a blob's component must be positive");
+  }
+  return node;
+}
+
+}  // namespace durer

@@ -1,0 +1,56 @@
+// Textures, interiors, media and what else surrounds surfaces. Every function that parses a block
+// `word{...}` starts after the word, unless it says otherwise.
+#pragma once
+
+#include <memory>
+
+#include "tracer/scene/light.h"
+#include "tracer/scene/object.h"
+#include "tracer/scene/scene.h"
+
+namespace durer {
+
+class Parser;
+
+// pigment{...}: starts from `start` (never null: the default or the object's own).
+std::shared_ptr<const PigmentNode> parse_pigment(Parser& parser,
+                                                 const std::shared_ptr<const PigmentNode>& start);
+// start may be null: no normal yet.
+std::shared_ptr<const NormalNode> parse_normal(Parser& parser,
+                                               const std::shared_ptr<const NormalNode>& start);
+std::shared_ptr<const FinishNode> parse_finish(Parser& parser,
+                                               const std::shared_ptr<const FinishNode>& start);
+// texture{...}: one statement; may name a layered texture.
+TexturePtr parse_texture(Parser& parser);
+// The default texture, copied (it is immutable: shared).
+TexturePtr default_texture(Parser& parser);
+// Puts a texture on top of another; errors where one is patterned.
+TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TexturePtr& top);
+
+std::shared_ptr<const InteriorNode> parse_interior(Parser& parser);
+std::shared_ptr<const MaterialNode> parse_material(Parser& parser);
+std::shared_ptr<const MediaNode> parse_media(Parser& parser);
+std::shared_ptr<const PigmentNode> parse_density(Parser& parser);
+
+// Maps: color_map{...} etc.
+std::shared_ptr<const ColorMap> parse_color_map(Parser& parser);
+std::shared_ptr<const PigmentMap> parse_pigment_map(Parser& parser);
+std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser);
+std::shared_ptr<const SlopeMap> parse_slope_map(Parser& parser);
+std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser);
+std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser);
+
+// After `{` of image_map and the like, or of height_field: [type] file [gamma..] [premultiplied..].
+std::shared_ptr<ImageSource> parse_image_file(Parser& parser);
+
+std::shared_ptr<const FogNode> parse_fog(Parser& parser);
+std::shared_ptr<const RainbowNode> parse_rainbow(Parser& parser);
+std::shared_ptr<const SkySphereNode> parse_sky_sphere(Parser& parser);
+ColorRGBFT parse_background(Parser& parser);
+void parse_global_settings(Parser& parser);
+
+PhotonSettings parse_object_photons(Parser& parser);
+LightPhotons parse_light_photons(Parser& parser);
+double parse_radiosity_importance(Parser& parser);
+
+}  // namespace durer
