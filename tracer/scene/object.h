@@ -23,6 +23,9 @@ struct PhotonSettings {  // photons{} of an object (spec/gi.md A1.2)
 
 // The parser has resolved `pigment{}`, `normal{}`, `finish{}` and layering into whole textures.
 struct SetTexture { TexturePtr texture; };
+// What surfaces without a texture of their own get in the end; last modifier of every object at scene
+// level. Does not count as a texture of the object (inheritance goes first, spec/geometry.md 5).
+struct SetDefaultTexture { TexturePtr texture; };
 struct SetInteriorTexture { TexturePtr texture; };
 struct SetInterior { std::shared_ptr<const InteriorNode> interior; };
 struct SetFlag { ObjectFlag flag; bool value; };  // inverse: toggles
@@ -34,7 +37,8 @@ struct SetPhotons { PhotonSettings photons; };
 struct SetRadiosityImportance { double importance; };
 
 // In the order of the text. A transform acts on what is there at that point.
-using Modifier = std::variant<Transform, SetTexture, SetInteriorTexture, SetInterior, SetFlag,
+using Modifier = std::variant<Transform, SetTexture, SetDefaultTexture, SetInteriorTexture,
+                              SetInterior, SetFlag,
                               AddBounds, AddClips, ShareBoundsAsClips, ShareClipsAsBounds,
                               SetPhotons, SetRadiosityImportance>;
 
