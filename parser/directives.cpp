@@ -1,0 +1,263 @@
+// #declare, #local, #undef, #include, #version and the message directives (spec/language.md 12-19).
+#include <cmath>
+
+#include "parser/parser_state.h"
+#include "parser/statements/statements.h"
+
+namespace durer {
+
+// The `#` has been read; the stream is live.
+void Parser::State::execute_directive() {
+  // The word is not looked up: a macro of the same name cannot come between.
+  const Token word = raw_next();
+  if (word.kind != TokenKind::keyword) error("expected a directive after '#'");
+  switch (word.keyword) {
+    case Keyword::declare: return do_declare(false);
+    case Keyword::local: return do_declare(true);
+    case Keyword::if_: return do_if();
+    case Keyword::ifdef: return do_ifdef(true);
+    case Keyword::ifndef: return do_ifdef(false);
+    case Keyword::else_: return do_else();
+    case Keyword::elseif: return do_elseif();
+    case Keyword::end: return do_end();
+    case Keyword::while_: return do_while();
+    case Keyword::for_: return do_for();
+    case Keyword::switch_: return do_switch();
+    case Keyword::case_: return do_case(false);
+    case Keyword::range: return do_case(true);
+    case Keyword::break_: return do_break();
+    case Keyword::macro: return do_macro();
+    case Keyword::undef: return do_undef();
+    case Keyword::include: return do_include();
+    case Keyword::version: return do_version();
+    case Keyword::default_: return parse_default_block(parser);
+    case Keyword::fopen: return do_fopen();
+    case Keyword::fclose: return do_fclose();
+    case Keyword::read: return do_read();
+    case Keyword::write: return do_write();
+    case Keyword::debug:
+    case Keyword::warning:
+    case Keyword::error:
+    case Keyword::render:
+    case Keyword::statistics:
+      return do_message(word.keyword);
+    default:
+      error("'#" + std::string(names.text(word.name)) + "' is no directive");
+  }
+}
+
+void Parser::State::do_declare(bool local) {
+  std::unique_ptr<Deprecation> deprecation;
+  Name name = 0;
+  Reference target;
+  bool is_element = false;
+  {
+    const FlagScope off(directives_live, false);
+    const FlagScope plain(resolve_elements, false);
+    if (accept(Keyword::deprecated)) {
+      deprecation = std::make_unique<Deprecation>();
+      deprecation->once = accept(Keyword::once);
+      if (peek().kind == TokenKind::string) {
+        const FlagScope elements(resolve_elements, true);
+        deprecation->text = to_bytes(parse_string());
+      }
+    }
+    const Token& token = peek();
+    if (token.is(Symbol::paren_open)) {
+      error("assigning to several names at once is syntax of POV-Ray 3.8, which durer does not read");
+    }
+    if (token.kind != TokenKind::identifier) error_expected("an identifier to declare");
+    if (look.value && look.value->kind() == ValueKind::macro) {
+      error("'" + std::string(names.text(token.name)) + "' is a macro: #declare cannot replace it");
+    }
+    name = token.name;
+    Entry* entry = look.entry;
+    const bool array = look.value && look.value->kind() == ValueKind::array;
+    consume();
+    if (entry) {
+      if (entry->alias) {
+        target = *entry->alias;
+      } else {
+        target.entry = entry;
+      }
+    }
+    if (raw_peek().is(Symbol::bracket_open)) {
+      if (!entry) error("'" + std::string(names.text(name)) + "' is not declared", suggestion(name));
+      if (!array) error("'" + std::string(names.text(name)) + "' is not an array");
+      const FlagScope elements(resolve_elements, true);
+      parse_subscripts(target);
+      is_element = true;
+    }
+    if (!peek().is(Symbol::equal)) error_expected("'='");
+    consume();
+    if (deprecation && deprecation->text.empty()) {
+      deprecation->text = "'" + std::string(names.text(name)) + "' is declared deprecated";
+    }
+  }
+  RightSide right;
+  {
+    const FlagScope off(directives_live, false);
+    parse_right_side(right, "a value to declare");
+    if (right.is_reference) {
+      // A bare identifier: `#declare A = B` copies the value.
+      const Value* value = readable(right.reference);
+      if (!value || !value->is_set()) error("the value to assign is not set");
+      right.value = *value;
+    }
+    check_semicolon(right.numeric);
+  }
+  if (is_element) {
+    store(target, std::move(right.value));
+  } else {
+    assign(name, target, std::move(right.value), local, std::move(deprecation));
+  }
+}
+
+// With directives off: `;` after a number is required, after anything else allowed.
+void Parser::State::check_semicolon(bool numeric) {
+  if (accept(Symbol::semicolon)) {
+    if (numeric) accept(Symbol::semicolon);
+    return;
+  }
+  if (!numeric) return;
+  if (language_version >= 350) {
+    error("expected ';' at the end of this declaration of a number, vector or colour",
+          "write ';' before " + found());
+  }
+  if (language_version >= 310) {
+    message(Severity::possible_error,
+            "a declaration of a number, vector or colour should end with ';'");
+  }
+}
+
+void Parser::State::assign(Name name, const Reference& seen, Value value, bool local,
+                           std::unique_ptr<Deprecation> deprecation) {
+  // What the name means now: reading the value may have changed it.
+  Entry* entry = symbols.find(name);
+  (void)seen;
+  if (entry && entry->alias) {
+    store(*entry->alias, std::move(value));
+    return;
+  }
+  if (entry && (!local || entry->scope == symbols.innermost())) {
+    const ValueKind kind = entry->value.kind();
+    if (kind == ValueKind::function) {
+      error("function '" + std::string(names.text(name)) + "' is declared already",
+            "#undef it first");
+    }
+    if (kind == ValueKind::file) error("'" + std::string(names.text(name)) + "' is an open file");
+    if (kind == ValueKind::macro) error("'" + std::string(names.text(name)) + "' is a macro");
+    entry->value = std::move(value);
+    return;
+  }
+  Entry& fresh = symbols.add(name, local ? symbols.innermost() : 0);
+  fresh.value = std::move(value);
+  fresh.deprecation = std::move(deprecation);
+}
+
+void Parser::State::do_undef() {
+  const FlagScope off(directives_live, false);
+  const FlagScope plain(resolve_elements, false);
+  const Token& token = peek();
+  if (token.kind != TokenKind::identifier) error_expected("an identifier to undefine");
+  if (!look.entry) {
+    message(Severity::warning, "#undef of '" + std::string(names.text(token.name)) +
+                                   "', which is not declared");
+    consume();
+  } else {
+    Entry* entry = look.entry;
+    const bool array = look.value && look.value->kind() == ValueKind::array;
+    consume();
+    if (array && raw_peek().is(Symbol::bracket_open)) {
+      Reference reference;
+      if (entry->alias) {
+        reference = *entry->alias;
+      } else {
+        reference.entry = entry;
+      }
+      const FlagScope elements(resolve_elements, true);
+      parse_subscripts(reference);
+      if (Value* element = writable(reference)) *element = Value();
+    } else {
+      symbols.remove(*entry);
+    }
+  }
+  accept(Symbol::semicolon);
+}
+
+void Parser::State::do_include() {
+  const std::string name = [&] {
+    const std::u16string text = parse_string(true);
+    return to_bytes(text);
+  }();
+  if (static_cast<int>(frames.size()) >= options.limits.max_include_depth + options.limits.max_nesting) {
+    error("too many nested files and macros");
+  }
+  int files = 1;
+  for (const Frame& frame : frames) files += frame.macro ? 0 : 1;
+  if (files > options.limits.max_include_depth) {
+    error("includes are nested more than " + std::to_string(options.limits.max_include_depth) +
+          " deep: does '" + name + "' include itself?");
+  }
+  if (static_cast<int>(symbols.nested()) >= options.limits.max_symbol_tables) {
+    error("macros and includes are nested too deeply (limit " +
+          std::to_string(options.limits.max_symbol_tables) + ")");
+  }
+  const std::string path = find_file(name, FileType::include, true);
+  if (path.empty()) {
+    error("cannot find the include file '" + name + "'",
+          "looked in the current folder and the library paths");
+  }
+  std::shared_ptr<SourceFile> file = load_source(path);
+  symbols.push_scope();
+  push_frame(std::move(file), 0, nullptr);
+}
+
+void Parser::State::do_version() {
+  const FlagScope off(directives_live, false);
+  // `unofficial` is no reserved word.
+  if (peek().kind == TokenKind::identifier && names.text(look.token.name) == "unofficial") consume();
+  const double number = parse_float();
+  const double hundredths = std::trunc(100.0 * number + 0.5);
+  if (!(hundredths <= 370)) {
+    error("this scene asks for a version of the language after 3.7, which durer does not read");
+  }
+  if (!version_seen && tokens_before_version == 0) version_first = consumed <= 6;
+  language_version = hundredths < 0 ? 0 : static_cast<int>(hundredths);
+  version_seen = true;
+  if (!accept(Symbol::semicolon) && language_version >= 310) {
+    message(Severity::possible_error, "#version should end with ';'");
+  }
+}
+
+void Parser::State::do_message(Keyword which) {
+  std::string text = to_bytes(parse_string());
+  if (which == Keyword::render || which == Keyword::statistics) {
+    message(Severity::warning,
+            "#render and #statistics have no stream of their own any more: the text goes to the "
+            "#debug stream");
+    which = Keyword::debug;
+  }
+  if (which == Keyword::debug) {
+    if (text.size() > 200) text = text.substr(0, 156) + "...";
+    write_debug(text);
+    return;
+  }
+  if (text.size() > 160) text = text.substr(0, 124) + "...";
+  if (which == Keyword::error) error("#error: " + text);
+  message(Severity::warning, "#warning: " + text);
+}
+
+// Lines are shown when complete; a line longer than the console is cut where it is full.
+void Parser::State::write_debug(const std::string& text) {
+  for (const char c : text) {
+    if (c == '\n') {
+      if (options.sink) options.sink->debug_line(debug_line);
+      debug_line.clear();
+    } else {
+      debug_line += c;
+    }
+  }
+}
+
+}  // namespace durer

@@ -1,0 +1,120 @@
+// Finding files (spec/language.md 16), and the second look that forgives case and backslashes.
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <initializer_list>
+#include <strings.h>
+
+#include "parser/parser_state.h"
+
+namespace durer {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::initializer_list<const char*> extensions_of(FileType type) {
+  static constexpr std::initializer_list<const char*> kInclude = {".inc", ".INC"};
+  static constexpr std::initializer_list<const char*> kImage = {
+      ".tga", ".TGA", ".png", ".PNG", ".ppm", ".PPM", ".pgm", ".PGM", ".gif",  ".GIF", ".iff",
+      ".IFF", ".jpg", ".JPG", ".jpeg", ".JPEG", ".tif", ".TIF", ".tiff", ".TIFF", ".bmp", ".BMP",
+      ".exr", ".EXR", ".hdr", ".HDR"};
+  static constexpr std::initializer_list<const char*> kFont = {".ttf", ".TTF"};
+  static constexpr std::initializer_list<const char*> kDensity = {".df3", ".DF3"};
+  static constexpr std::initializer_list<const char*> kNone = {};
+  switch (type) {
+    case FileType::include: return kInclude;
+    case FileType::image: return kImage;
+    case FileType::font: return kFont;
+    case FileType::density: return kDensity;
+    case FileType::user: break;
+  }
+  return kNone;
+}
+
+bool is_file(const std::string& path) {
+  struct stat status;
+  return stat(path.c_str(), &status) == 0 && !S_ISDIR(status.st_mode);
+}
+
+// The names to try, in order.
+std::vector<std::string> candidates_of(const std::string& name, FileType type) {
+  std::vector<std::string> candidates;
+  bool has_extension = false;
+  for (const char* extension : extensions_of(type)) has_extension |= name.ends_with(extension);
+  if (has_extension) candidates.push_back(name);
+  for (const char* extension : extensions_of(type)) candidates.push_back(name + extension);
+  if (!has_extension) candidates.push_back(name);
+  return candidates;
+}
+
+// The path below `folder` whose components equal those of `name` but for case; empty: none.
+std::string match_ignoring_case(const std::string& folder, const fs::path& name) {
+  std::string path = folder;
+  for (const fs::path& part : name) {
+    if (part == "/" || part == ".") continue;
+    std::string next = path.empty() ? part.string() : path + "/" + part.string();
+    struct stat status;
+    if (stat(next.c_str(), &status) != 0) {
+      next.clear();
+      std::error_code failed;
+      // The least name in byte order, so that the choice does not depend on the folder's order.
+      for (const auto& entry : fs::directory_iterator(path.empty() ? "." : path, failed)) {
+        const std::string candidate = entry.path().filename().string();
+        if (strcasecmp(candidate.c_str(), part.c_str()) != 0) continue;
+        const std::string full = path.empty() ? candidate : path + "/" + candidate;
+        if (next.empty() || full < next) next = full;
+      }
+      if (next.empty()) return {};
+    }
+    path = next;
+  }
+  return is_file(path) ? path : std::string();
+}
+
+}  // namespace
+
+std::string Parser::State::find_file(const std::string& name, FileType type, bool forgiving) {
+  if (name.empty()) return {};
+  for (const std::string& candidate : candidates_of(name, type)) {
+    if (is_file(candidate)) return candidate;
+    if (candidate[0] == '/') continue;
+    for (const std::string& folder : options.library_paths) {
+      const std::string path = folder + (folder.ends_with('/') ? "" : "/") + candidate;
+      if (is_file(path)) return path;
+    }
+  }
+  if (!forgiving) return {};
+  std::string plain = name;
+  std::replace(plain.begin(), plain.end(), '\\', '/');
+  // Drive letters of other systems name nothing here.
+  if (plain.size() > 2 && plain[1] == ':' && plain[2] == '/') plain = plain.substr(3);
+  const bool absolute = plain.starts_with('/');
+  for (const std::string& candidate : candidates_of(plain, type)) {
+    std::string found = match_ignoring_case(absolute ? "/" : "", candidate);
+    for (size_t i = 0; found.empty() && !absolute && i < options.library_paths.size(); ++i) {
+      found = match_ignoring_case(options.library_paths[i], candidate);
+    }
+    if (!found.empty()) {
+      message(Severity::warning, "there is no file '" + name + "'; '" + found + "' is used for it");
+      return found;
+    }
+  }
+  return {};
+}
+
+// The file's tokens are kept as long as its content is the same.
+std::shared_ptr<SourceFile> Parser::State::load_source(const std::string& path) {
+  std::shared_ptr<SourceFile>& known = sources[path];
+  if (known && written_files.empty()) return known;
+  std::string text;
+  if (!read_file(path, std::min<uint64_t>(options.limits.max_file_bytes, 0xfffffff0u), text)) {
+    error("cannot read the file '" + path + "', or it is too long");
+  }
+  if (known && known->text() == text) return known;
+  known = std::make_shared<SourceFile>(path, std::move(text), names);
+  all_files.push_back(known);
+  return known;
+}
+
+}  // namespace durer

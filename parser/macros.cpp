@@ -1,0 +1,116 @@
+// #macro and macro calls (spec/language.md 14). A body is replayed from its cached tokens.
+#include <optional>
+
+#include "parser/parser_state.h"
+
+namespace durer {
+namespace {
+
+constexpr size_t kMostParameters = 55;
+
+std::string version_text(int hundredths) {
+  const std::string digits = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) + "." + (digits.size() < 2 ? "0" : "") + digits;
+}
+
+}  // namespace
+
+void Parser::State::do_macro() {
+  if (language_version < 310) {
+    error("macros need #version 3.1 or later, but #version " + version_text(language_version) +
+          " is set");
+  }
+  const FlagScope off(directives_live, false);
+  const FlagScope plain(resolve_elements, false);
+  const Token name = peek();
+  if (name.kind != TokenKind::identifier) error_expected("a name for the macro");
+  if (look.entry && look.value->kind() != ValueKind::macro) {
+    error("'" + std::string(names.text(name.name)) + "' is already declared as a " +
+          kind_name(look.value->kind()) + ", a macro cannot take its name");
+  }
+  consume();
+  auto macro = std::make_shared<Macro>();
+  macro->name = name.name;
+  expect(Symbol::paren_open);
+  while (!peek().is(Symbol::paren_close)) {
+    if (look.token.kind != TokenKind::identifier) error_expected("a parameter name or ')'");
+    if (macro->parameters.size() >= kMostParameters) {
+      error("a macro has at most " + std::to_string(kMostParameters) + " parameters");
+    }
+    macro->parameters.push_back(look.token.name);
+    consume();
+    accept_comma();
+  }
+  consume();
+  macro->file = frames.back().file->shared_from_this();
+  macro->body = last_offset + 1;
+  Entry* entry = symbols.find(name.name);
+  if (!entry) entry = &symbols.add(name.name, 0);
+  entry->value = Value(ValueKind::macro, std::shared_ptr<const Macro>(std::move(macro)));
+  skip(1, false);
+}
+
+void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
+  if (language_version < 310) {
+    error("macros need #version 3.1 or later, but #version " + version_text(language_version) +
+          " is set");
+  }
+  const uint32_t call = last_offset;
+  const size_t count = macro->parameters.size();
+  // Most macros have few parameters: no allocation for those.
+  constexpr size_t kInline = 6;
+  RightSide few[kInline];
+  std::vector<RightSide> many;
+  RightSide* arguments = few;
+  if (count > kInline) {
+    many.resize(count);
+    arguments = many.data();
+  }
+  // Arguments are numbers or blocks: directives between operands are not executed.
+  ahead = kNothing;
+  {
+    const FlagScope off(directives_live, false);
+    expect(Symbol::paren_open);
+    for (size_t i = 0; i < count; ++i) {
+      if (peek().is(Symbol::paren_close)) {
+        error("macro '" + std::string(names.text(macro->name)) + "' takes " +
+              std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", only " +
+              std::to_string(i) + " given");
+      }
+      parse_right_side(arguments[i], "a macro argument");
+      accept_comma();
+    }
+    if (!accept(Symbol::paren_close)) {
+      error_expected("')' after the last argument of macro '" +
+                     std::string(names.text(macro->name)) + "'");
+    }
+  }
+  if (static_cast<int>(symbols.nested()) >= options.limits.max_symbol_tables) {
+    error("macros and includes are nested too deeply (limit " +
+          std::to_string(options.limits.max_symbol_tables) + ")");
+  }
+  open_conditional(Conditional::Kind::macro_call, call);
+  conditionals.back().frame = frames.size();
+  symbols.push_scope();
+  const uint32_t scope = symbols.innermost();
+  for (size_t i = 0; i < count; ++i) {
+    const Name parameter = macro->parameters[i];
+    Entry* entry = symbols.find(parameter);
+    if (entry && entry->scope == scope) symbols.remove(*entry);  // duplicates: the last one wins
+    Entry& fresh = symbols.add(parameter, scope);
+    if (arguments[i].is_reference) {
+      symbols.make_alias(fresh, arguments[i].reference);
+    } else {
+      fresh.value = std::move(arguments[i].value);
+    }
+  }
+  // The call's lookahead is empty: the argument list ended with its parenthesis.
+  push_frame(macro->file, macro->body, macro);
+}
+
+void Parser::State::return_from_macro() {
+  conditionals.pop_back();
+  pop_frame();
+}
+
+}  // namespace durer

@@ -1,0 +1,351 @@
+// Right-hand sides, arrays and splines (spec/language.md 12.3, 15, 21).
+#include <cmath>
+
+#include "parser/parser_state.h"
+#include "parser/statements/statements.h"
+#include "tracer/math/spline.h"
+#include "tracer/scene/function.h"
+
+namespace durer {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+
+}  // namespace
+
+const char* kind_name(ValueKind kind) {
+  static constexpr const char* kNames[] = {
+      "value that was never set", "float", "uv vector", "vector", "4d vector", "colour", "string",
+      "array", "spline", "function", "macro", "file", "object", "texture", "pigment", "normal",
+      "finish", "material", "interior", "media", "density", "color_map", "pigment_map",
+      "normal_map", "slope_map", "texture_map", "density_map", "transform", "camera", "fog",
+      "rainbow", "sky_sphere"};
+  return kNames[static_cast<int>(kind)];
+}
+
+Value Parser::State::to_value(const Terms& terms) {
+  switch (terms.count) {
+    case 1: return Value(terms.v[0]);
+    case 2: return Value(Vec2(terms.v[0], terms.v[1]));
+    case 3: return Value(Vec3(terms.v[0], terms.v[1], terms.v[2]));
+    case 4: return Value(Vec4(terms.v[0], terms.v[1], terms.v[2], terms.v[3]));
+    default:
+      return Value(ColorRGBFT{static_cast<float>(terms.v[0]), static_cast<float>(terms.v[1]),
+                              static_cast<float>(terms.v[2]), static_cast<float>(terms.v[3]),
+                              static_cast<float>(terms.v[4])});
+  }
+}
+
+// The caller has switched directives off; operands and blocks switch them on for themselves.
+void Parser::State::parse_right_side(RightSide& result, const char* what) {
+  // The first token is read live: a macro or directive may come before the value.
+  {
+    const FlagScope on(directives_live, true);
+    peek();
+  }
+  const TokenKind first = look.token.kind;
+  if (first == TokenKind::identifier) {
+    if (!look.value) {
+      error("'" + std::string(names.text(look.token.name)) + "' is not declared",
+            suggestion(look.token.name));
+    }
+    const Value& value = *look.value;
+    if (!value.is_set()) {
+      error(look.is_element ? "this array element was never set"
+                            : "'" + std::string(names.text(look.token.name)) + "' has no value yet");
+    }
+    const ValueKind kind = value.kind();
+    const bool callable = kind == ValueKind::function || kind == ValueKind::spline;
+    if (callable && !raw_peek().is(Symbol::paren_open)) {
+      result.value = value;
+      // Functions are always copied; a spline is passed by reference.
+      if (kind == ValueKind::spline) {
+        result.is_reference = true;
+        result.reference = look.is_element ? look.reference : Reference{look.entry, 0, {}};
+        if (!look.is_element && look.entry->alias) result.reference = *look.entry->alias;
+      }
+      result.numeric = true;
+      consume();
+      return;
+    }
+    if (value.is_numeric() || callable) {
+      const bool color_rules = kind == ValueKind::color && language_version < 350;
+      Reference reference;
+      if (look.is_element) {
+        reference = look.reference;
+      } else if (look.entry->alias) {
+        reference = *look.entry->alias;
+      } else {
+        reference.entry = look.entry;
+      }
+      ++reference.entry->references;
+      const uint64_t before = consumed;
+      Terms terms;
+      if (color_rules) {
+        parse_color(terms, true);
+      } else {
+        parse_parameter(terms, 1);
+      }
+      peek();
+      --reference.entry->references;
+      // Exactly one token was used and its scope has not ended while we looked for an operator.
+      const bool alone = consumed == before + 1 && !callable;
+      if (alone && reference.entry->live) {
+        result.is_reference = true;
+        result.reference = reference;
+      }
+      result.value = to_value(terms);
+      result.numeric = true;
+      return;
+    }
+    if (kind == ValueKind::string) {
+      const Reference reference = look.is_element      ? look.reference
+                                  : look.entry->alias ? *look.entry->alias
+                                                      : Reference{look.entry, 0, {}};
+      result.value = value;
+      result.is_reference = true;
+      result.reference = reference;
+      consume();
+      return;
+    }
+    if (kind == ValueKind::macro || kind == ValueKind::file) {
+      error_expected(what);
+    }
+    // A bare identifier of a scene kind or an array.
+    result.value = value;
+    result.is_reference = true;
+    result.reference = look.is_element      ? look.reference
+                       : look.entry->alias ? *look.entry->alias
+                                           : Reference{look.entry, 0, {}};
+    consume();
+    // The peek at what follows may end the scope of a macro that delivered the identifier.
+    Entry* entry = result.reference.entry;
+    ++entry->references;
+    peek();
+    --entry->references;
+    if (!entry->live) result.is_reference = false;
+    return;
+  }
+  if (starts_color()) {
+    Terms terms;
+    parse_color(terms, true);
+    result.value = to_value(terms);
+    result.numeric = true;
+    return;
+  }
+  if (starts_string()) {
+    const FlagScope on(directives_live, true);
+    result.value = Value(parse_string());
+    return;
+  }
+  if (first == TokenKind::keyword) {
+    switch (look.token.keyword) {
+      case Keyword::array: {
+        consume();
+        result.value = parse_array();
+        return;
+      }
+      case Keyword::function: {
+        consume();
+        const FlagScope on(directives_live, true);
+        result.value = Value(ValueKind::function, parse_function(FunctionParameters::xyz));
+        return;
+      }
+      case Keyword::spline: {
+        consume();
+        const FlagScope on(directives_live, true);
+        result.value = Value(ValueKind::spline, parse_spline());
+        return;
+      }
+      case Keyword::t:
+        error_expected(what);
+      default:
+        break;
+    }
+  }
+  if (starts_expression()) {
+    Terms terms;
+    parse_parameter(terms, 1);
+    result.value = to_value(terms);
+    result.numeric = true;
+    return;
+  }
+  {
+    const FlagScope on(directives_live, true);
+    result.value = parse_rvalue_block(parser);
+  }
+  if (!result.value.is_set()) error_expected(what);
+}
+
+int64_t Parser::State::parse_flat_index(const ArrayShape& shape) {
+  int64_t flat = 0;
+  for (int d = 0; d < shape.dimensions; ++d) {
+    expect(Symbol::bracket_open);
+    const double subscript = parse_float();
+    if (subscript < -kEpsilon) error("negative subscript " + std::to_string(subscript));
+    const double whole = std::trunc(subscript + kEpsilon);
+    if (!(whole < static_cast<double>(shape.sizes[d]))) {
+      error("subscript " + std::to_string(static_cast<long long>(whole)) +
+            " is outside the array, which has " + std::to_string(shape.sizes[d]) +
+            " elements in this dimension");
+    }
+    flat = flat * shape.sizes[d] + static_cast<int64_t>(whole);
+    if (!peek().is(Symbol::bracket_close)) error_expected("']' after the subscript");
+    consume();
+  }
+  return flat;
+}
+
+void Parser::State::parse_subscripts(Reference& reference) {
+  // The brackets are looked for in the text itself: the element's kind decides what comes next.
+  do {
+    const Value* value = readable(reference);
+    if (!value || value->kind() != ValueKind::array) break;
+    if (reference.levels == Reference::kMostLevels) {
+      error("arrays inside arrays are nested more than " +
+            std::to_string(Reference::kMostLevels) + " deep");
+    }
+    const ArrayShape shape = value->as<Array>().shape;
+    reference.path[reference.levels] = parse_flat_index(shape);
+    ++reference.levels;
+  } while (raw_peek().is(Symbol::bracket_open));
+  if (!readable(reference)) error("the array changed while its subscripts were read");
+}
+
+Value* Parser::State::writable(const Reference& reference) {
+  if (!reference.entry->live) return nullptr;
+  Value* value = &reference.entry->value;
+  for (int level = 0; level < reference.levels; ++level) {
+    if (value->kind() != ValueKind::array) return nullptr;
+    // Copy on write: `#declare B=A` shares until one of them changes.
+    if (value->is_shared()) {
+      *value = Value(ValueKind::array, std::make_shared<Array>(value->as<Array>()));
+    }
+    Array& array = value->mutable_as<Array>();
+    const int64_t index = reference.path[level];
+    if (index < 0 || index >= static_cast<int64_t>(array.elements.size())) return nullptr;
+    value = &array.elements[index];
+  }
+  return value;
+}
+
+void Parser::State::store(const Reference& reference, Value value) {
+  Value* slot = writable(reference);
+  if (!slot) error("the variable that this name stands for is gone");
+  if (reference.levels > 0) {
+    Reference holder = reference;
+    --holder.levels;
+    Array& array = writable(holder)->mutable_as<Array>();
+    if (array.element_kind == ValueKind::unset) {
+      array.element_kind = value.kind();
+    } else if (array.element_kind != value.kind()) {
+      error(std::string("this array holds elements of the kind ") + kind_name(array.element_kind) +
+            ", not " + kind_name(value.kind()));
+    }
+  }
+  *slot = std::move(value);
+}
+
+// After `array`: sizes and the initialiser, read with directives off between operands.
+Value Parser::State::parse_array() {
+  const FlagScope off(directives_live, false);
+  auto array = std::make_shared<Array>();
+  ArrayShape& shape = array->shape;
+  double total = 1;
+  if (peek().kind == TokenKind::identifier && names.text(look.token.name) == "mixed") {
+    error("mixed arrays are syntax of POV-Ray 3.8, which durer does not read");
+  }
+  while (accept(Symbol::bracket_open)) {
+    if (shape.dimensions == ArrayShape::kMostDimensions) {
+      error("an array has at most " + std::to_string(ArrayShape::kMostDimensions) + " dimensions");
+    }
+    const double size = std::trunc(parse_float() + kEpsilon);
+    total *= size;
+    if (std::fabs(total) > static_cast<double>(options.limits.max_array_elements)) {
+      error("the array would have more than " +
+            std::to_string(options.limits.max_array_elements) + " elements, which is the limit");
+    }
+    shape.sizes[shape.dimensions++] = static_cast<int64_t>(size);
+    if (!accept(Symbol::bracket_close)) error_expected("']' after the size of the array");
+  }
+  if (shape.dimensions == 0) error_expected("'[' and the size of the array");
+  if (!(total > 0)) error("the size of an array must be positive");
+  for (int d = 0; d < shape.dimensions; ++d) {
+    if (shape.sizes[d] <= 0) error("the size of an array must be positive");
+  }
+  array->elements.resize(static_cast<size_t>(total));
+  if (peek().is(Symbol::brace_open)) {
+    int64_t index = 0;
+    parse_array_level(*array, 0, index);
+  }
+  return Value(ValueKind::array, std::move(array));
+}
+
+void Parser::State::parse_array_level(Array& array, int dimension, int64_t& index) {
+  if (!accept(Symbol::brace_open)) error_expected("'{' of the array's elements");
+  const bool innermost = dimension == array.shape.dimensions - 1;
+  for (int64_t i = 0; i < array.shape.sizes[dimension]; ++i) {
+    if (peek().is(Symbol::brace_close)) {
+      error("the array's size is " + std::to_string(array.shape.sizes[dimension]) +
+            " here, but only " + std::to_string(i) + " elements are given");
+    }
+    if (innermost) {
+      RightSide element;
+      parse_right_side(element, "an array element");
+      if (element.is_reference) element.value = *readable(element.reference);
+      if (array.element_kind == ValueKind::unset) array.element_kind = element.value.kind();
+      if (array.element_kind != element.value.kind()) {
+        error(std::string("the elements of an array have one kind: expected ") +
+              kind_name(array.element_kind) + ", found " + kind_name(element.value.kind()));
+      }
+      array.elements[index++] = std::move(element.value);
+    } else {
+      parse_array_level(array, dimension + 1, index);
+    }
+    accept_comma();
+  }
+  if (!accept(Symbol::brace_close)) error_expected("'}' after the array's last element");
+}
+
+std::shared_ptr<const Spline> Parser::State::parse_spline() {
+  parser.note_experimental("spline");
+  if (!accept(Symbol::brace_open)) error_expected("'{' after 'spline'");
+  auto spline = std::make_shared<Spline>();
+  if (peek().kind == TokenKind::identifier && look.value && look.value->kind() == ValueKind::spline) {
+    *spline = look.value->as<Spline>();
+    consume();
+    accept_comma();
+  }
+  Terms point{};
+  int width = spline->width();
+  for (;;) {
+    if (accept(Keyword::linear_spline)) {
+      spline->set_type(SplineType::linear);
+    } else if (accept(Keyword::quadratic_spline)) {
+      spline->set_type(SplineType::quadratic);
+    } else if (accept(Keyword::cubic_spline)) {
+      spline->set_type(SplineType::cubic);
+    } else if (accept(Keyword::natural_spline)) {
+      spline->set_type(SplineType::natural);
+    } else {
+      break;
+    }
+    accept_comma();
+  }
+  if (!starts_expression()) error("a spline needs at least one point");
+  while (starts_expression()) {
+    const double parameter = parse_float();
+    accept_comma();
+    // Missing components are those of the point before.
+    Terms value;
+    parse_express(value, 2);
+    width = std::max(width, value.count);
+    for (int i = 0; i < value.count; ++i) point.v[i] = value.v[i];
+    spline->add(parameter, point.v, width);
+    accept_comma();
+  }
+  if (!accept(Symbol::brace_close)) error_expected("'}' after the spline's points");
+  return spline;
+}
+
+}  // namespace durer
