@@ -97,7 +97,10 @@ void Parser::State::do_declare(bool local) {
   RightSide right;
   {
     const FlagScope off(directives_live, false);
+    const Name outer = declaring;
+    declaring = name;
     parse_right_side(right, "a value to declare");
+    declaring = outer;
     if (right.is_reference) {
       // A bare identifier: `#declare A = B` copies the value.
       const Value* value = readable(right.reference);

@@ -388,23 +388,23 @@ bool Parser::State::starts_expression() {
 void Parser::State::call_spline(Terms& out, const Spline& spline, int width) {
   if (!accept(Symbol::paren_open)) error_expected("'(' and the spline's parameter");
   const double parameter = parse_float();
-  SplineType type = spline.type();
+  SplineInterpolation type = spline.kind;
   if (accept_comma()) {
     if (accept(Keyword::linear_spline)) {
-      type = SplineType::linear;
+      type = SplineInterpolation::linear;
     } else if (accept(Keyword::quadratic_spline)) {
-      type = SplineType::quadratic;
+      type = SplineInterpolation::quadratic;
     } else if (accept(Keyword::cubic_spline)) {
-      type = SplineType::cubic;
+      type = SplineInterpolation::cubic;
     } else if (accept(Keyword::natural_spline)) {
-      type = SplineType::natural;
+      type = SplineInterpolation::natural;
     } else {
       error_expected("a type of spline, such as cubic_spline");
     }
   }
   expect(Symbol::paren_close);
   spline.evaluate(parameter, type, out.v);
-  out.count = spline.width();
+  out.count = spline.terms();
   if (out.count == 3) out.promote(width);
 }
 

@@ -13,6 +13,8 @@
 
 namespace durer {
 
+class PatternServices;
+
 // What a scene may use up before it is stopped with an error that names the limit.
 struct ParserLimits {
   uint64_t max_loop_turns = 1'000'000'000;  // of all loops together
@@ -50,6 +52,8 @@ struct ParseOptions {
   ParserLimits limits;
   WritePermissions writes;
   std::shared_ptr<SceneQueries> queries;  // null: the ones of tracer/world
+  // For functions of pigments and patterns; null: the ones that need an object are not supported.
+  const PatternServices* pattern_services = nullptr;
   MessageSink* sink = nullptr;            // null: messages are dropped
 };
 

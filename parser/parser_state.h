@@ -11,10 +11,12 @@
 #include "parser/parser.h"
 #include "parser/source.h"
 #include "parser/symbol_table.h"
+#include "tracer/field/field_settings.h"
 #include "tracer/scene/scene.h"
 
 namespace durer {
 
+class CompiledFunction;
 class Spline;
 struct UserFile;
 
@@ -233,7 +235,14 @@ struct Parser::State {
   std::shared_ptr<SourceFile> load_source(const std::string& path);
 
   // ---- functions.cpp --------------------------------------------------------------------------
+  struct FunctionParameter {
+    Name name = 0;
+    int special = -1;  // x or u: 0, y or v: 1, z: 2
+  };
   std::shared_ptr<const FunctionNode> parse_function(FunctionParameters defaults);
+  std::vector<FunctionParameter> parse_function_parameters();
+  std::shared_ptr<const CompiledFunction> parse_function_body(
+      const std::vector<FunctionParameter>& parameters);
 
   // ---- messages.cpp ---------------------------------------------------------------------------
   [[noreturn]] void error(const std::string& text, const std::string& hint = {});
@@ -270,6 +279,8 @@ struct Parser::State {
   uint64_t tokens_before_version = 0;
   bool utf8 = false;
   bool gamma_known = false;
+  std::shared_ptr<FieldSettings> field_settings = std::make_shared<FieldSettings>();
+  Name declaring = 0;  // what #declare is about to give a value to: a function may call itself
   std::vector<uint32_t> random_streams;
   std::string debug_line;
   std::vector<std::string> experimental;

@@ -316,17 +316,15 @@ std::shared_ptr<const Spline> Parser::State::parse_spline() {
     consume();
     accept_comma();
   }
-  Terms point{};
-  int width = spline->width();
   for (;;) {
     if (accept(Keyword::linear_spline)) {
-      spline->set_type(SplineType::linear);
+      spline->kind = SplineInterpolation::linear;
     } else if (accept(Keyword::quadratic_spline)) {
-      spline->set_type(SplineType::quadratic);
+      spline->kind = SplineInterpolation::quadratic;
     } else if (accept(Keyword::cubic_spline)) {
-      spline->set_type(SplineType::cubic);
+      spline->kind = SplineInterpolation::cubic;
     } else if (accept(Keyword::natural_spline)) {
-      spline->set_type(SplineType::natural);
+      spline->kind = SplineInterpolation::natural;
     } else {
       break;
     }
@@ -336,12 +334,9 @@ std::shared_ptr<const Spline> Parser::State::parse_spline() {
   while (starts_expression()) {
     const double parameter = parse_float();
     accept_comma();
-    // Missing components are those of the point before.
     Terms value;
     parse_express(value, 2);
-    width = std::max(width, value.count);
-    for (int i = 0; i < value.count; ++i) point.v[i] = value.v[i];
-    spline->add(parameter, point.v, width);
+    spline->add(parameter, value.v, value.count);
     accept_comma();
   }
   if (!accept(Symbol::brace_close)) error_expected("'}' after the spline's points");

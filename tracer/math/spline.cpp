@@ -51,14 +51,14 @@ void Spline::solve_natural() {
   }
 }
 
-void Spline::evaluate(double t, SplineKind as, double* result) const {
+void Spline::evaluate(double t, SplineInterpolation as, double* result) const {
   const size_t n = knots_.size(), width = static_cast<size_t>(terms_);
   const auto copy = [&](const SplineKnot& knot) {
     std::copy_n(knot.value.begin(), width, result);
   };
   if (n == 1) return copy(knots_[0]);
 
-  if (as == SplineKind::cubic) {
+  if (as == SplineInterpolation::cubic) {
     // Catmull-Rom between the second and the last but one knot, constant outside.
     if (n == 2) {
       for (size_t c = 0; c < width; ++c)
@@ -81,15 +81,15 @@ void Spline::evaluate(double t, SplineKind as, double* result) const {
   const double length = right.parameter - left.parameter;
   const double d = t - left.parameter;
 
-  if (as == SplineKind::linear || n == 2) {
+  if (as == SplineInterpolation::linear || n == 2) {
     const double f = d / length;
     for (size_t c = 0; c < width; ++c)
       result[c] = left.value[c] + f * (right.value[c] - left.value[c]);
     return;
   }
   switch (as) {
-    case SplineKind::linear: break;
-    case SplineKind::quadratic: {
+    case SplineInterpolation::linear: break;
+    case SplineInterpolation::quadratic: {
       // Newton's form of the parabola through three knots.
       const size_t k = i == 0 ? 0 : i - 1;
       const SplineKnot &a = knots_[k], &b = knots_[k + 1], &e = knots_[k + 2];
@@ -102,7 +102,7 @@ void Spline::evaluate(double t, SplineKind as, double* result) const {
       }
       break;
     }
-    case SplineKind::natural:
+    case SplineInterpolation::natural:
       for (size_t c = 0; c < width; ++c) {
         const double m0 = second_derivatives_[i][c], m1 = second_derivatives_[i + 1][c];
         const double slope = (right.value[c] - left.value[c]) / length;
@@ -111,7 +111,7 @@ void Spline::evaluate(double t, SplineKind as, double* result) const {
                          d * (m0 / 2 + d * (m1 - m0) / (6 * length)));
       }
       break;
-    case SplineKind::cubic: {
+    case SplineInterpolation::cubic: {
       const SplineKnot &before = knots_[i - 1], &after = knots_[i + 2];
       const double u = d / length, u2 = u * u, u3 = u2 * u;
       for (size_t c = 0; c < width; ++c) {

@@ -7,7 +7,7 @@
 
 namespace durer {
 
-enum class SplineKind : uint8_t { linear, quadratic, cubic, natural };
+enum class SplineInterpolation : uint8_t { linear, quadratic, cubic, natural };
 
 struct SplineKnot {
   double parameter = 0;
@@ -16,7 +16,7 @@ struct SplineKnot {
 
 class Spline {
  public:
-  SplineKind kind = SplineKind::linear;
+  SplineInterpolation kind = SplineInterpolation::linear;
 
   // Adds a knot of 1..5 numbers in the order of the text, with the language's rules: knots are kept
   // sorted, a repeated parameter replaces the earlier value unless it is the largest of several, a
@@ -30,7 +30,7 @@ class Spline {
 
   // Writes terms() numbers. At least one knot.
   void evaluate(double t, double* result) const { evaluate(t, kind, result); }
-  void evaluate(double t, SplineKind as, double* result) const;
+  void evaluate(double t, SplineInterpolation as, double* result) const;
 
  private:
   // Second derivatives of the natural spline, solved whenever a knot is added.
