@@ -42,7 +42,7 @@ void Parser::State::execute_directive() {
     case Keyword::statistics:
       return do_message(word.keyword);
     default:
-      error("'#" + std::string(names.text(word.name)) + "' is no directive");
+      error("there is no directive #" + std::string(names.text(word.name)));
   }
 }
 
@@ -68,7 +68,7 @@ void Parser::State::do_declare(bool local) {
     }
     if (token.kind != TokenKind::identifier) error_expected("an identifier to declare");
     if (look.value && look.value->kind() == ValueKind::macro) {
-      error("'" + std::string(names.text(token.name)) + "' is a macro: #declare cannot replace it");
+      error(quoted(token.name) + " is a macro: #declare cannot replace it");
     }
     name = token.name;
     Entry* entry = look.entry;
@@ -82,8 +82,8 @@ void Parser::State::do_declare(bool local) {
       }
     }
     if (raw_peek().is(Symbol::bracket_open)) {
-      if (!entry) error("'" + std::string(names.text(name)) + "' is not declared", suggestion(name));
-      if (!array) error("'" + std::string(names.text(name)) + "' is not an array");
+      if (!entry) error(quoted(name) + " is not declared", suggestion(name));
+      if (!array) error(quoted(name) + " is not an array");
       const FlagScope elements(resolve_elements, true);
       parse_subscripts(target);
       is_element = true;
@@ -91,7 +91,7 @@ void Parser::State::do_declare(bool local) {
     if (!peek().is(Symbol::equal)) error_expected("'='");
     consume();
     if (deprecation && deprecation->text.empty()) {
-      deprecation->text = "'" + std::string(names.text(name)) + "' is declared deprecated";
+      deprecation->text = quoted(name) + " is declared deprecated";
     }
   }
   RightSide right;
@@ -145,11 +145,11 @@ void Parser::State::assign(Name name, const Reference& seen, Value value, bool l
   if (entry && (!local || entry->scope == symbols.innermost())) {
     const ValueKind kind = entry->value.kind();
     if (kind == ValueKind::function) {
-      error("function '" + std::string(names.text(name)) + "' is declared already",
+      error("function " + quoted(name) + " is declared already",
             "#undef it first");
     }
-    if (kind == ValueKind::file) error("'" + std::string(names.text(name)) + "' is an open file");
-    if (kind == ValueKind::macro) error("'" + std::string(names.text(name)) + "' is a macro");
+    if (kind == ValueKind::file) error(quoted(name) + " is an open file");
+    if (kind == ValueKind::macro) error(quoted(name) + " is a macro");
     entry->value = std::move(value);
     return;
   }
@@ -164,8 +164,7 @@ void Parser::State::do_undef() {
   const Token& token = peek();
   if (token.kind != TokenKind::identifier) error_expected("an identifier to undefine");
   if (!look.entry) {
-    message(Severity::warning, "#undef of '" + std::string(names.text(token.name)) +
-                                   "', which is not declared");
+    message(Severity::warning, "#undef of " + quoted(token.name) + ", which is not declared");
     consume();
   } else {
     Entry* entry = look.entry;

@@ -179,7 +179,7 @@ void Parser::State::parse_primary(Terms& out, int width) {
       return;
     case TokenKind::identifier: {
       if (!look.value) {
-        error("'" + std::string(names.text(token.name)) + "' is not declared", suggestion(token.name));
+        error(quoted(token.name) + " is not declared", suggestion(token.name));
       }
       const Value& value = *look.value;
       switch (value.kind()) {
@@ -211,7 +211,7 @@ void Parser::State::parse_primary(Terms& out, int width) {
         case ValueKind::unset:
           error(look.is_element
                     ? "this array element was never set"
-                    : "'" + std::string(names.text(token.name)) + "' has no value yet");
+                    : quoted(token.name) + " has no value yet");
         default:
           error_expected("a number, vector or colour");
       }

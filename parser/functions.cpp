@@ -234,8 +234,7 @@ class FunctionBody {
       state_.message(Severity::possible_error, "this function calls itself");
       return builder_.call_self(arguments());
     }
-    state_.error("'" + std::string(state_.names.text(token.name)) +
-                     "' is neither a parameter of this function nor a declared float or function",
+    state_.error(state_.quoted(token.name) + " is neither a parameter of this function nor a declared float or function",
                  state_.suggestion(token.name));
   }
 

@@ -25,7 +25,7 @@ void Parser::State::do_macro() {
   const Token name = peek();
   if (name.kind != TokenKind::identifier) error_expected("a name for the macro");
   if (look.entry && look.value->kind() != ValueKind::macro) {
-    error("'" + std::string(names.text(name.name)) + "' is already declared as a " +
+    error(quoted(name.name) + " is already declared as a " +
           kind_name(look.value->kind()) + ", a macro cannot take its name");
   }
   consume();
@@ -73,7 +73,7 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
     expect(Symbol::paren_open);
     for (size_t i = 0; i < count; ++i) {
       if (peek().is(Symbol::paren_close)) {
-        error("macro '" + std::string(names.text(macro->name)) + "' takes " +
+        error("macro " + quoted(macro->name) + " takes " +
               std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", only " +
               std::to_string(i) + " given");
       }

@@ -40,9 +40,9 @@ std::string Parser::State::found() {
   const Token& token = look.token;
   switch (token.kind) {
     case TokenKind::end_of_file: return "the end of the file";
-    case TokenKind::keyword: return "'" + std::string(names.text(token.name)) + "'";
+    case TokenKind::keyword: return quoted(token.name);
     case TokenKind::identifier: {
-      const std::string name = "'" + std::string(names.text(token.name)) + "'";
+      const std::string name = quoted(token.name);
       if (!look.value) return name + ", which is not declared";
       return std::string(kind_name(look.value->kind())) + " " + name;
     }
@@ -56,6 +56,13 @@ std::string Parser::State::found() {
     case TokenKind::malformed: return "something unreadable";
   }
   return {};
+}
+
+std::string Parser::State::quoted(Name name) const {
+  std::string text(1, '\'');
+  text += names.text(name);
+  text += '\'';
+  return text;
 }
 
 std::string Parser::State::suggestion(Name name) {

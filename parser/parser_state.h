@@ -251,6 +251,7 @@ struct Parser::State {
   void message(Severity severity, const std::string& text);
   Diagnostic diagnostic_here(Severity severity, const std::string& text);
   std::string found();
+  std::string quoted(Name name) const;
   std::string suggestion(Name name);
   SourcePosition position();
 

@@ -162,7 +162,7 @@ std::u16string Parser::State::parse_string(bool path) {
   }
   if (token.kind == TokenKind::identifier) {
     if (!look.value) {
-      error("'" + std::string(names.text(token.name)) + "' is not declared", suggestion(token.name));
+      error(quoted(token.name) + " is not declared", suggestion(token.name));
     }
     if (look.value->kind() == ValueKind::string) {
       std::u16string text = look.value->string();

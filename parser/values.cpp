@@ -46,13 +46,13 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
   const TokenKind first = look.token.kind;
   if (first == TokenKind::identifier) {
     if (!look.value) {
-      error("'" + std::string(names.text(look.token.name)) + "' is not declared",
+      error(quoted(look.token.name) + " is not declared",
             suggestion(look.token.name));
     }
     const Value& value = *look.value;
     if (!value.is_set()) {
       error(look.is_element ? "this array element was never set"
-                            : "'" + std::string(names.text(look.token.name)) + "' has no value yet");
+                            : quoted(look.token.name) + " has no value yet");
     }
     const ValueKind kind = value.kind();
     const bool callable = kind == ValueKind::function || kind == ValueKind::spline;
