@@ -93,7 +93,7 @@ struct CrackleParameters {
 struct FractalParameters {
   Vec2 coordinates{0, 0};  // julia's constant
   int iterations = 0;
-  int exponent = 2;  // of magnets: their type, 1 or 2
+  int exponent = 2;
   int exterior_type = 1;
   double exterior_factor = 1;
   int interior_type = 0;

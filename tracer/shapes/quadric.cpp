@@ -155,6 +155,17 @@ bool Quadric::bounds_within(const Bounds& range, Bounds& box) const {
     box.max[i] = std::min(box.max[i], center[i] + extent);
     found = true;
   }
+  // A paraboloid ends at its vertex.
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (linear[i] == 0 || linear[j] != 0 || linear[k] != 0 || s[j] < 0 || s[k] < 0) continue;
+    const double vertex = rhs / linear[i];
+    if (linear[i] > 0) {
+      box.max[i] = std::min(box.max[i], vertex);
+    } else {
+      box.min[i] = std::max(box.min[i], vertex);
+    }
+  }
   return found && !box.is_empty();
 }
 

@@ -95,6 +95,8 @@ class Shape {
   virtual const std::vector<TexturePtr>* own_textures() const { return nullptr; }
   virtual int texture_shares(const Vec3& point, const ShapeHit& hit, ShapeTexture* shares,
                              int capacity) const;
+  // Blobs keep their component textures on the inside, too.
+  virtual bool ignores_interior_texture() const { return false; }
   // False when every part has its own texture, so the object needs none.
   virtual bool needs_object_texture() const { return true; }
 };

@@ -93,7 +93,7 @@ struct WorldOptions {
 class World {
  public:
   // Throws NotSupported (tracer/scene/not_supported.h).
-  static std::unique_ptr<const World> build(const Scene& scene, const WorldOptions& options);
+  static std::unique_ptr<World> build(const Scene& scene, const WorldOptions& options);
   ~World();
 
   // The nearest hit with 1e-4 <= t < max_t among what this kind of ray sees (geometry.md 2).
@@ -135,6 +135,8 @@ class ObjectQuery {
   // trace(): nearest hit from origin along unit_direction; raw normal. False: none.
   bool trace(const Vec3& origin, const Vec3& unit_direction, Vec3& point, Vec3& normal) const;
   bool inside(const Vec3& point) const;
+  // False for shapes without an inside (triangles, patches, open meshes).
+  bool has_inside() const;
   // The box with POV-Ray's single-precision rounding.
   Bounds extents() const;
 

@@ -1,0 +1,51 @@
+// Our own bounding volume hierarchy, eight boxes to a node (performance.md 2, 3): for worlds with up
+// to some thousand items, inside composites and for meshes. Boxes are in single precision, rounded
+// outward; what lies in them is tested by the caller in double, so nothing here decides a hit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tracer/math/bounds.h"
+
+namespace durer {
+
+struct alignas(64) BvhNode {
+  static constexpr uint32_t kEmpty = 0xffffffffu;
+  static constexpr uint32_t kLeaf = 0x80000000u;
+
+  float low[3][8];
+  float high[3][8];
+  // Inner: index of a node. Leaf: kLeaf | first item << 3 | count - 1. Empty: kEmpty.
+  uint32_t child[8];
+};
+
+// Tests one item. May lower t_max; returns true to end the walk.
+using BvhRayVisitor = bool (*)(void* context, uint32_t item, double& t_max);
+using BvhPointVisitor = bool (*)(void* context, uint32_t item);
+
+class Bvh {
+ public:
+  // Boxes must be finite and not empty; item i is boxes[i].
+  void build(const std::vector<Bounds>& boxes);
+
+  // Visits the items whose boxes the ray may meet before t_max, near ones first; each item at least
+  // when its box overlaps [0, t_max], perhaps also others. Origins may be anywhere.
+  void visit_ray(const Vec3& origin, const Vec3& direction, double t_max, BvhRayVisitor visitor,
+                 void* context) const;
+  // Visits the items whose boxes contain the point, perhaps also others.
+  void visit_point(const Vec3& point, BvhPointVisitor visitor, void* context) const;
+
+  bool is_empty() const { return nodes_.empty(); }
+  const Bounds& bounds() const { return bounds_; }
+  size_t memory() const { return nodes_.size() * sizeof(BvhNode) + items_.size() * 4; }
+
+ private:
+  std::vector<BvhNode> nodes_;   // root first
+  std::vector<uint32_t> items_;  // in leaf order
+  Bounds bounds_;
+  // Boxes are stored relative to this point, so that far-off small scenes keep their digits.
+  Vec3 center_{0};
+};
+
+}  // namespace durer

@@ -1,0 +1,90 @@
+// What rays meet, as flat arrays: shapes with their transforms, and CSG over them (spec/geometry.md
+// 2, 6). Immutable while rays fly. Knows shapes and flags by number, nothing of textures.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tracer/intersect/bvh.h"
+#include "tracer/shapes/shape.h"
+
+namespace durer {
+
+// Bits of a ray's kind and, in GeometryNode::hidden, the kinds that do not see a node.
+enum RayKind : uint8_t {
+  kImageRay = 1, kReflectionRay = 2, kShadowRay = 4, kPhotonRay = 8, kRadiosityRay = 16,
+  kPrimaryRay = 32,
+};
+
+enum class NodeKind : uint8_t { shape, union_, merge, intersection, nothing };
+
+struct NodeRange {
+  uint32_t first = 0, count = 0;  // in Geometry::lists
+};
+
+struct GeometryNode {
+  NodeKind kind = NodeKind::nothing;
+  uint8_t hidden = 0;           // RayKind bits
+  bool inverted = false;        // mark of a shape: turns its inside test and its normal over
+  bool written_as_difference = false;
+  bool is_opaque = false;       // stops light whatever happens
+  bool csg_child = false;
+  bool has_object = true;       // false: a light without looks_like takes no part in inside tests
+  // Outside `surface` the node contains all points (true) or none (false); where it is bounded.
+  bool contains_outside = false;
+  bool surface_is_bounded = false;
+  int32_t transform = -1;       // of a shape, in Geometry::transforms
+  uint32_t object = 0;          // the caller's number
+  const Shape* shape = nullptr;
+  NodeRange children, clips, bounds;
+  int32_t tree = -1;            // of many children: Geometry::trees
+  Bounds surface;               // encloses the surface
+};
+
+// The children of a composite, those with bounded surfaces in a hierarchy.
+struct ChildTree {
+  Bvh bvh;
+  std::vector<uint32_t> bounded;  // child position of each item of bvh
+  std::vector<uint32_t> others;   // child positions that are always asked
+};
+
+struct GeometryRay {
+  Vec3 origin;
+  Vec3 direction;  // unit
+  uint8_t kind;    // RayKind bits
+};
+
+class Geometry {
+ public:
+  std::vector<GeometryNode> nodes;
+  std::vector<uint32_t> lists;
+  std::vector<Transform> transforms;
+  std::vector<std::shared_ptr<const Shape>> shapes;  // owned
+  std::vector<std::unique_ptr<ChildTree>> trees;
+
+  // The nearest hit of one node with kLeastHitDepth <= t < t_max, by the rules for one object
+  // (spec/geometry.md 2.1: of equal depths the last pushed wins). No box test, no flags.
+  bool closest(uint32_t node, const GeometryRay& ray, double t_max, HitStack& stack,
+               ShapeHit& hit) const;
+  // All hits in the order of pushing.
+  void all_hits(uint32_t node, const GeometryRay& ray, HitStack& stack) const;
+  // bounded_by: each bounding object is hit or contains the origin.
+  bool passes_bounds(const GeometryNode& node, const GeometryRay& ray, HitStack& stack) const;
+  // With the node's clips.
+  bool inside(uint32_t node, const Vec3& point) const;
+  bool inside_unclipped(uint32_t node, const Vec3& point) const;
+
+  // Fills in surface, contains_outside and the child tree of a node whose children are done.
+  void finish_node(uint32_t node);
+
+ private:
+  bool inside_clips(const GeometryNode& node, const Vec3& point) const;
+  void shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stack) const;
+  bool keeps_hit(const GeometryNode& node, uint32_t child, const Vec3& point, uint8_t kind) const;
+  bool takes_part(const GeometryNode& parent, const GeometryNode& child, uint8_t kind) const;
+  bool all_or_none(const GeometryNode& node, const Vec3& point, bool wanted, uint32_t except,
+                   uint8_t kind) const;
+};
+
+}  // namespace durer

@@ -1,0 +1,73 @@
+#include "tracer/world/world_builder.h"
+
+namespace durer {
+
+struct ObjectQuery::Impl {
+  WorldData data;
+  uint32_t node = 0;
+  FloatBox box;
+  bool is_exempt = false;
+  bool has_inside = true;
+};
+
+ObjectQuery::ObjectQuery() : impl_(std::make_unique<Impl>()) {}
+ObjectQuery::~ObjectQuery() = default;
+
+std::shared_ptr<const ObjectQuery> ObjectQuery::build(const ObjectPtr& object,
+                                                      int effective_version) {
+  std::shared_ptr<ObjectQuery> query(new ObjectQuery);
+  Impl& impl = *query->impl_;
+  ObjectResolver resolver(effective_version);
+  const ResolvedObject resolved = resolver.resolve(object);
+  WorldBuilder builder(impl.data, {}, 1, nullptr);
+  impl.node = builder.add_bare(resolved);
+  impl.box = resolved.box;
+  impl.has_inside = resolved.has_inside();
+  const GeometryNode& node = impl.data.geometry.nodes[impl.node];
+  impl.is_exempt = node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test();
+  return query;
+}
+
+bool ObjectQuery::trace(const Vec3& origin, const Vec3& unit_direction, Vec3& point,
+                        Vec3& normal) const {
+  thread_local HitStack stack;
+  const Geometry& geometry = impl_->data.geometry;
+  const GeometryRay ray{origin, unit_direction, kImageRay | kPrimaryRay};
+  // Box test, with slab distances in single precision (geometry.md 2.2).
+  if (!impl_->is_exempt) {
+    float enter = 0, leave = 2e10f;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float o = static_cast<float>(origin[axis]);
+      const float inverse = 1 / static_cast<float>(unit_direction[axis]);
+      const float low = impl_->box.lower[axis], high = low + impl_->box.length[axis];
+      const float near = ((inverse < 0 ? high : low) - o) * inverse;
+      const float far = ((inverse < 0 ? low : high) - o) * inverse;
+      if (!(near <= leave && far >= enter)) return false;
+      enter = near > enter ? near : enter;
+      leave = far < leave ? far : leave;
+    }
+    if (!(leave > 1e-4f)) return false;
+  }
+  if (!geometry.passes_bounds(geometry.nodes[impl_->node], ray, stack)) return false;
+  ShapeHit hit;
+  if (!geometry.closest(impl_->node, ray, kHugeDepth, stack, hit)) return false;
+  point = origin + hit.t * unit_direction;
+  const GeometryNode& node = geometry.nodes[hit.node];
+  if (node.transform >= 0) {
+    const Transform& transform = geometry.transforms[node.transform];
+    normal = transform.normal(node.shape->normal(transform.inverse_point(point), hit));
+  } else {
+    normal = node.shape->normal(point, hit);
+  }
+  normal = normalize_or_zero(normal);
+  if (node.inverted) normal = -normal;
+  return true;
+}
+
+bool ObjectQuery::inside(const Vec3& point) const {
+  return impl_->data.geometry.inside(impl_->node, point);
+}
+bool ObjectQuery::has_inside() const { return impl_->has_inside; }
+Bounds ObjectQuery::extents() const { return impl_->box.to_bounds(); }
+
+}  // namespace durer

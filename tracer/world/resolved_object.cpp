@@ -1,0 +1,383 @@
+#include "tracer/world/resolved_object.h"
+
+#include <algorithm>
+
+#include "tracer/shapes/plane.h"
+#include "tracer/shapes/quadric.h"
+
+namespace durer {
+namespace {
+
+constexpr double kLongestFiniteEdge = 1e6;
+
+// The half-space of an axis-parallel plane as a box (14.1).
+void clip_to_half_space(Bounds& box, const ResolvedObject& object) {
+  const auto& plane = static_cast<const Plane&>(*object.shape);
+  Vec3 n = plane.unit_normal();
+  double d = plane.distance();
+  if (object.has_transform) {
+    // The reference turns the normal the wrong way; pictures depend on it.
+    n = object.transform.forward.transposed_direction(n);
+    const Vec3 back = object.transform.inverse.transposed_direction(n);
+    d = d - dot(back, n) + 1;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    if (std::abs(n[axis]) > kGeometryEpsilon && std::abs(n[a]) <= kGeometryEpsilon &&
+        std::abs(n[b]) <= kGeometryEpsilon) {
+      if (n[axis] > 0) {
+        box.max[axis] = std::min(box.max[axis], d);
+      } else {
+        box.min[axis] = std::max(box.min[axis], -d);
+      }
+    }
+  }
+}
+
+FloatBox infinite_if_huge(const FloatBox& box) {
+  for (const float edge : box.length) {
+    if (edge > static_cast<float>(kLongestFiniteEdge)) return FloatBox();
+  }
+  return box;
+}
+
+// The automatic box of a quadric within a range; kept if it is smaller than the one it has.
+void bound_quadric(ResolvedObject& object, const Bounds& range) {
+  Bounds found;
+  if (!static_cast<const Quadric&>(*object.shape).bounds_within(range, found)) return;
+  const FloatBox box = FloatBox::from(found);
+  if (box.volume() >= object.box.volume()) return;
+  object.box = infinite_if_huge(box);
+  object.box_from_quadric = !object.box.is_infinite();
+}
+
+// Box of a CSG from its members' (6.6).
+FloatBox csg_box(ResolvedObject& csg) {
+  const bool is_intersection = csg.csg == CsgKind::intersection || csg.csg == CsgKind::difference;
+  Bounds box = is_intersection ? Bounds::everything() : Bounds();
+  if (is_intersection) {
+    for (ResolvedObject& child : csg.children) {
+      if (child.kind == ResolvedObject::Kind::light || child.is_quadric || child.is_height_field) {
+        continue;
+      }
+      if (child.is_plane && child.shape) {
+        clip_to_half_space(box, child);
+      } else if (!child.inverted && !(child.kind == ResolvedObject::Kind::csg && child.inverted)) {
+        box.clip(child.box.to_bounds());
+      }
+    }
+    for (ResolvedObject& child : csg.children) {
+      if (!child.is_quadric || !child.shape || child.inverted) continue;
+      bound_quadric(child, box);
+      box.clip(child.box.to_bounds());
+    }
+  } else {
+    for (const ResolvedObject& child : csg.children) {
+      if (child.kind == ResolvedObject::Kind::light && child.children.empty()) continue;
+      box.extend(child.box.to_bounds());
+    }
+  }
+  if (box.is_empty()) return FloatBox();
+  const FloatBox result = FloatBox::from(box);
+  if (result.volume() >= FloatBox().volume()) return FloatBox();
+  return infinite_if_huge(result);
+}
+
+// The box that a bound or clip list installs (4.2).
+void install_box(ResolvedObject& object, const std::vector<ResolvedObject>& list) {
+  if (list.empty()) return;
+  Bounds box = Bounds::everything();
+  for (const ResolvedObject& member : list) {
+    if (member.is_plane && member.shape) continue;
+    if (!member.inverted) box.clip(member.box.to_bounds());
+  }
+  FloatBox result;
+  for (int i = 0; i < 3; ++i) {
+    result.lower[i] = static_cast<float>(box.min[i]);
+    result.length[i] = static_cast<float>(box.max[i] - box.min[i]);
+  }
+  if (result.volume() < object.box.volume()) object.box = result;
+}
+
+std::shared_ptr<const LightNode> moved(const LightNode& light, const Transform& transform) {
+  auto node = std::make_shared<LightNode>(light);
+  node->location = transform.point(light.location);
+  node->point_at = transform.point(light.point_at);
+  node->axis1 = transform.direction(light.axis1);
+  node->axis2 = transform.direction(light.axis2);
+  if (light.projected_through) {
+    auto through = std::make_shared<ObjectNode>();
+    through->base = light.projected_through;
+    through->position = light.projected_through->position;
+    through->modifiers.push_back(transform);
+    node->projected_through = through;
+  }
+  return node;
+}
+
+}  // namespace
+
+void ResolvedObject::recompute_box() {
+  if (!shape || is_quadric) return;
+  if (is_plane) {
+    if (!clips.empty()) box = clips.front().box;
+    return;
+  }
+  Bounds local = shape->bounds();
+  if (!has_transform) {
+    box = FloatBox::from(local);
+  } else if (local.is_bounded()) {
+    box = FloatBox::from(local).transformed(transform);
+  }
+}
+
+void ResolvedObject::move(const Transform& by) {
+  switch (kind) {
+    case Kind::shape:
+      if (shape) {
+        std::shared_ptr<const Shape> taken = has_transform ? nullptr : shape->transformed(by);
+        if (taken) {
+          shape = std::move(taken);
+        } else {
+          transform = has_transform ? transform.then(by) : by;
+          has_transform = true;
+        }
+      }
+      break;
+    case Kind::light: light = moved(*light, by); break;
+    case Kind::csg: box = box.is_infinite() ? box : box.transformed(by); break;
+  }
+  for (ResolvedObject& child : children) child.move(by);
+  if (!bounds_are_clips) {
+    for (ResolvedObject& bound : bounds) bound.move(by);
+  }
+  for (ResolvedObject& clip : clips) clip.move(by);
+  if (kind == Kind::shape) {
+    if (is_quadric) {
+      if (!box.is_infinite()) box = box.transformed(by);
+    } else {
+      recompute_box();
+    }
+  }
+  if (!uv_mapping) {
+    texture.move(by);
+    interior_texture.move(by);
+  }
+  if (interior && !interior->media.empty()) {
+    interior_transform = interior_moved ? interior_transform.then(by) : by;
+    interior_moved = true;
+  }
+}
+
+void ResolvedObject::invert() {
+  if (kind == Kind::shape) {
+    if (!shape) return;
+    if (auto turned = shape->inverted()) shape = std::move(turned);
+    if (shape->takes_inverse_mark()) inverted = !inverted;
+    return;
+  }
+  if (kind == Kind::light) return;
+  for (ResolvedObject& child : children) child.invert();
+  const bool was_intersection = csg == CsgKind::intersection || csg == CsgKind::difference;
+  csg = was_intersection ? CsgKind::merge : CsgKind::intersection;
+  written_as_difference = false;
+  inverted = !inverted;
+}
+
+bool ResolvedObject::has_inside() const {
+  if (kind == Kind::light) return false;
+  if (kind == Kind::shape) return shape == nullptr || !shape->is_patch();
+  return std::all_of(children.begin(), children.end(),
+                     [](const ResolvedObject& c) { return c.has_inside(); });
+}
+
+bool ResolvedObject::has_texture_anywhere() const {
+  if (texture) return true;
+  if (kind == Kind::shape) return shape && !shape->needs_object_texture();
+  return std::any_of(children.begin(), children.end(),
+                     [](const ResolvedObject& c) { return c.has_texture_anywhere(); });
+}
+
+void ResolvedObject::mark_as_csg_child() {
+  is_csg_child = true;
+}
+
+ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
+  ResolvedObject result = object->base ? resolve(object->base) : resolve_shape(*object);
+  result.position = object->position;
+  const bool was_difference = result.written_as_difference;
+  bool changes_boxes = false;
+  for (const Modifier& modifier : object->modifiers) {
+    apply(result, modifier);
+    changes_boxes |= std::holds_alternative<AddBounds>(modifier) ||
+                     std::holds_alternative<AddClips>(modifier);
+  }
+  if (was_difference && !object->base) result.written_as_difference = true;
+  if (changes_boxes) {
+    if (result.is_plane && result.shape && !result.clips.empty()) {
+      result.box = result.clips.front().box;
+    }
+    if (result.is_quadric && result.shape && !result.clips.empty()) {
+      Bounds range = Bounds::everything();
+      for (const ResolvedObject& clip : result.clips) {
+        if (clip.is_plane && clip.shape) {
+          clip_to_half_space(range, clip);
+        } else if (!clip.inverted) {
+          range.clip(clip.box.to_bounds());
+        }
+      }
+      bound_quadric(result, range);
+    }
+    if (!result.bounds_are_clips) install_box(result, result.bounds);
+    install_box(result, result.clips);
+  }
+  return result;
+}
+
+ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
+  ResolvedObject result;
+  const ShapeNode& node = *object.shape;
+  if (const auto* csg = std::get_if<CsgNode>(&node)) return resolve_csg(*csg);
+  if (const auto* light = std::get_if<std::shared_ptr<const LightNode>>(&node)) {
+    result.kind = ResolvedObject::Kind::light;
+    result.light = *light;
+    if ((*light)->looks_like) {
+      result.children.push_back(resolve((*light)->looks_like));
+      result.children.back().no_shadow = true;
+      result.children.back().mark_as_csg_child();
+    }
+    result.no_shadow = true;
+    return result;
+  }
+  const PlacedShape placed = compiled(object);
+  result.shape = placed.shape;
+  result.has_transform = placed.has_transform;
+  result.transform = placed.transform;
+  result.is_plane = std::holds_alternative<PlaneNode>(node);
+  result.is_quadric = std::holds_alternative<QuadricNode>(node);
+  result.is_height_field = std::holds_alternative<HeightFieldNode>(node);
+  if (!result.shape) return result;
+  if (result.is_quadric) {
+    bound_quadric(result, Bounds::everything());
+  } else {
+    const Bounds local = result.shape->bounds();
+    if (!result.has_transform) {
+      result.box = FloatBox::from(local);
+    } else if (local.is_bounded()) {
+      result.box = FloatBox::from(local).transformed(result.transform);
+    }
+  }
+  return result;
+}
+
+PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
+  const ShapeContext context{object.position, effective_version_};
+  // `sturm` and `hierarchy` are written among the modifiers but belong to the shape.
+  bool changed = false;
+  ShapeNode own;
+  for (const Modifier& modifier : object.modifiers) {
+    const auto* flag = std::get_if<SetFlag>(&modifier);
+    if (!flag || flag->flag != ObjectFlag::sturm) continue;
+    if (!changed) own = *object.shape;
+    changed = true;
+    std::visit(
+        [&](auto& shape) {
+          if constexpr (requires { shape.sturm; }) shape.sturm = flag->value;
+        },
+        own);
+  }
+  if (changed) return compile_shape(own, context);
+  const auto known = shapes_.find(object.shape.get());
+  if (known != shapes_.end()) return known->second;
+  PlacedShape placed = compile_shape(*object.shape, context);
+  // Only what is dear to compile is kept: most shapes are used once.
+  if (std::holds_alternative<MeshNode>(*object.shape) ||
+      std::holds_alternative<HeightFieldNode>(*object.shape) ||
+      std::holds_alternative<BlobNode>(*object.shape) ||
+      std::holds_alternative<IsosurfaceNode>(*object.shape)) {
+    shapes_.emplace(object.shape.get(), placed);
+  }
+  return placed;
+}
+
+ResolvedObject ObjectResolver::resolve_csg(const CsgNode& node) {
+  ResolvedObject result;
+  result.kind = ResolvedObject::Kind::csg;
+  result.csg = node.kind;
+  result.is_light_group = node.is_light_group;
+  result.global_lights = node.global_lights;
+  result.children.reserve(node.children.size());
+  for (const ObjectPtr& child : node.children) {
+    result.children.push_back(resolve(child));
+    ResolvedObject& member = result.children.back();
+    if (node.kind == CsgKind::difference && result.children.size() > 1) member.invert();
+    member.mark_as_csg_child();
+  }
+  if (node.kind == CsgKind::difference) {
+    result.csg = CsgKind::intersection;
+    result.written_as_difference = true;
+  }
+  result.box = csg_box(result);
+  return result;
+}
+
+void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier) {
+  if (const auto* transform = std::get_if<Transform>(&modifier)) {
+    object.move(*transform);
+  } else if (const auto* texture = std::get_if<SetTexture>(&modifier)) {
+    object.texture = {texture->texture, false, {}};
+  } else if (const auto* fallback = std::get_if<SetDefaultTexture>(&modifier)) {
+    object.default_texture = fallback->texture;
+  } else if (const auto* inner = std::get_if<SetInteriorTexture>(&modifier)) {
+    object.interior_texture = {inner->texture, false, {}};
+  } else if (const auto* interior = std::get_if<SetInterior>(&modifier)) {
+    object.interior = interior->interior;
+    object.interior_moved = false;
+  } else if (const auto* add = std::get_if<AddBounds>(&modifier)) {
+    auto& list = object.bounds_are_clips ? object.clips : object.bounds;
+    for (const ObjectPtr& bound : add->objects) list.push_back(resolve(bound));
+  } else if (const auto* clips = std::get_if<AddClips>(&modifier)) {
+    for (const ObjectPtr& clip : clips->objects) object.clips.push_back(resolve(clip));
+  } else if (std::holds_alternative<ShareBoundsAsClips>(modifier)) {
+    object.clips = std::move(object.bounds);
+    object.bounds.clear();
+    object.bounds_are_clips = true;
+  } else if (std::holds_alternative<ShareClipsAsBounds>(modifier)) {
+    object.bounds_are_clips = true;
+  } else if (const auto* photons = std::get_if<SetPhotons>(&modifier)) {
+    object.photons = photons->photons;
+  } else if (const auto* importance = std::get_if<SetRadiosityImportance>(&modifier)) {
+    object.radiosity_importance = importance->importance;
+  } else if (const auto* flag = std::get_if<SetFlag>(&modifier)) {
+    const bool value = flag->value;
+    const auto for_all = [](ResolvedObject& root, auto&& self, auto&& set) -> void {
+      set(root);
+      for (ResolvedObject& child : root.children) self(child, self, set);
+    };
+    switch (flag->flag) {
+      case ObjectFlag::hollow:
+        for_all(object, for_all, [&](ResolvedObject& o) {
+          if (&o == &object || !o.hollow_given) o.hollow = value;
+        });
+        object.hollow_given = true;
+        break;
+      case ObjectFlag::double_illuminate:
+        for_all(object, for_all, [&](ResolvedObject& o) { o.double_illuminate = value; });
+        break;
+      case ObjectFlag::no_image: object.no_image = value; break;
+      case ObjectFlag::no_reflection: object.no_reflection = value; break;
+      case ObjectFlag::no_radiosity: object.no_radiosity = value; break;
+      case ObjectFlag::no_shadow: object.no_shadow = value; break;
+      case ObjectFlag::split_union: object.split_union = value; break;
+      case ObjectFlag::cutaway_textures: object.cutaway_textures = value; break;
+      case ObjectFlag::uv_mapping: object.uv_mapping = value; break;
+      case ObjectFlag::inverse: object.invert(); break;
+      case ObjectFlag::global_lights: object.global_lights = value; break;
+      // These reach the shape through its node.
+      case ObjectFlag::sturm:
+      case ObjectFlag::hierarchy: break;
+    }
+  }
+}
+
+}  // namespace durer

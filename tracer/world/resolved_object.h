@@ -1,0 +1,98 @@
+// An object after its modifiers have been replayed in order: what the world is built from
+// (spec/geometry.md 3, 4, 6).
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "tracer/scene/light.h"
+#include "tracer/shapes/shape.h"
+#include "tracer/world/float_box.h"
+
+namespace durer {
+
+// A texture and where it has been moved since it was set.
+struct MovedTexture {
+  TexturePtr texture;
+  bool moved = false;
+  Transform transform;
+
+  explicit operator bool() const { return texture != nullptr; }
+  void move(const Transform& by) {
+    if (!texture) return;
+    transform = moved ? transform.then(by) : by;
+    moved = true;
+  }
+};
+
+struct ResolvedObject {
+  enum class Kind : uint8_t { shape, csg, light };
+  Kind kind = Kind::shape;
+
+  // shape
+  std::shared_ptr<const Shape> shape;  // null: degenerate, never hit
+  bool is_plane = false, is_quadric = false, is_height_field = false;
+  bool has_transform = false;
+  Transform transform;
+  bool inverted = false;
+
+  // csg
+  CsgKind csg = CsgKind::union_;
+  bool written_as_difference = false, is_light_group = false, global_lights = true;
+  std::vector<ResolvedObject> children;
+
+  // light; its only child is looks_like
+  std::shared_ptr<const LightNode> light;
+
+  std::vector<ResolvedObject> bounds, clips;
+  bool bounds_are_clips = false;  // then `clips` holds the list
+
+  MovedTexture texture, interior_texture;
+  TexturePtr default_texture;
+  std::shared_ptr<const InteriorNode> interior;
+  int shared_interior = -1;  // number given by a union that was split
+  bool interior_moved = false;
+  Transform interior_transform;
+  bool uv_mapping = false;
+  bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
+  bool hollow = false, hollow_given = false, double_illuminate = false;
+  bool cutaway_textures = false, split_union = true;
+  bool is_csg_child = false;
+  PhotonSettings photons;
+  double radiosity_importance = -1;
+
+  FloatBox box;
+  bool box_from_quadric = false;
+  SourcePosition position;
+
+  void move(const Transform& transform);
+  void invert();
+  // Patches have no inside; neither has what holds one.
+  bool has_inside() const;
+  bool has_texture_anywhere() const;
+  void mark_as_csg_child();
+
+ private:
+  void recompute_box();
+};
+
+// Replays handles; shapes and declared objects that are used many times are compiled once.
+class ObjectResolver {
+ public:
+  explicit ObjectResolver(int effective_version) : effective_version_(effective_version) {}
+
+  // Throws NotSupported.
+  ResolvedObject resolve(const ObjectPtr& object);
+
+ private:
+  ResolvedObject resolve_shape(const ObjectNode& object);
+  PlacedShape compiled(const ObjectNode& object);
+  ResolvedObject resolve_csg(const CsgNode& node);
+  void apply(ResolvedObject& object, const Modifier& modifier);
+
+  int effective_version_;
+  std::unordered_map<const ShapeNode*, PlacedShape> shapes_;
+};
+
+}  // namespace durer

@@ -1,0 +1,85 @@
+#include "tracer/world/texture_table.h"
+
+namespace durer {
+namespace {
+
+bool looks_the_same_everywhere(const TextureNode& texture) {
+  for (const TextureNode* layer = &texture; layer; layer = layer->below.get()) {
+    if (layer->kind != TextureNode::Kind::plain) return false;
+    if (layer->pigment && layer->pigment->pattern.kind != PatternKind::none) return false;
+    if (layer->normal && layer->normal->pattern.kind != PatternKind::none) return false;
+  }
+  return true;
+}
+
+bool needs_uv(const PatternNode& pattern);
+
+bool needs_uv(const PigmentNode* pigment) {
+  if (!pigment) return false;
+  if (needs_uv(pigment->pattern) || needs_uv(pigment->inner.get())) return true;
+  if (pigment->pigment_map) {
+    for (const auto& entry : pigment->pigment_map->entries) {
+      if (needs_uv(entry.item.get())) return true;
+    }
+  }
+  return false;
+}
+
+bool needs_uv(const NormalNode* normal) {
+  if (!normal) return false;
+  if (needs_uv(normal->pattern) || needs_uv(normal->inner.get())) return true;
+  if (normal->normal_map) {
+    for (const auto& entry : normal->normal_map->entries) {
+      if (needs_uv(entry.item.get())) return true;
+    }
+  }
+  return false;
+}
+
+bool needs_uv(const PatternNode& pattern) {
+  return pattern.kind == PatternKind::uv_mapping || needs_uv(pattern.pigment.get());
+}
+
+bool needs_uv(const TextureNode& texture) {
+  for (const TextureNode* layer = &texture; layer; layer = layer->below.get()) {
+    if (needs_uv(layer->pattern) || needs_uv(layer->pigment.get()) ||
+        needs_uv(layer->normal.get())) {
+      return true;
+    }
+    if (layer->texture_map) {
+      for (const auto& entry : layer->texture_map->entries) {
+        if (entry.item && needs_uv(*entry.item)) return true;
+      }
+    }
+    for (const TexturePtr& material : layer->materials) {
+      if (material && needs_uv(*material)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+uint32_t TextureTable::add(const TexturePtr& texture) {
+  textures_.push_back(texture);
+  uses_uv_.push_back(needs_uv(*texture));
+  return static_cast<uint32_t>(textures_.size() - 1);
+}
+
+uint32_t TextureTable::index_of(const MovedTexture& texture) {
+  Placement placement{};
+  const bool moved = texture.moved && !looks_the_same_everywhere(*texture.texture);
+  if (moved) {
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 3; ++j) placement[3 * i + j] = texture.transform.forward.row[i][j];
+    }
+  }
+  const auto [place, is_new] = known_.try_emplace({texture.texture.get(), placement}, 0);
+  if (is_new) {
+    kept_.push_back(texture.texture);
+    place->second = add(moved ? transformed(texture.texture, texture.transform) : texture.texture);
+  }
+  return place->second;
+}
+
+}  // namespace durer

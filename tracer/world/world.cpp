@@ -1,0 +1,334 @@
+#include "tracer/world/world.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "tracer/scene/not_supported.h"
+#include "tracer/world/world_builder.h"
+
+namespace durer {
+namespace {
+
+constexpr double kLeastShadowDepth = 1e-3;
+
+uint8_t kind_bits(const RayClass& kind) {
+  uint8_t bits = 0;
+  if (kind.shadow) bits |= kShadowRay;
+  if (kind.photon) bits |= kPhotonRay;
+  if (kind.radiosity) bits |= kRadiosityRay;
+  if (kind.reflected) bits |= kReflectionRay;
+  if (bits == 0) bits = kImageRay;
+  if (kind.primary) bits |= kPrimaryRay;
+  return bits;
+}
+
+// The next greater double of a positive one.
+double just_beyond(double t) { return std::bit_cast<double>(std::bit_cast<uint64_t>(t) + 1); }
+
+// One per thread; grows to what the scene needs and stays.
+HitStack& scratch() {
+  thread_local HitStack stack;
+  return stack;
+}
+
+// Where a ray enters a box; decides which of two coincident surfaces is met (geometry.md 2.5).
+float entry_key(const FloatBox& box, const GeometryRay& ray) {
+  float key = -2e10f;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float d = static_cast<float>(ray.direction[axis]);
+    if (d == 0) continue;
+    const float o = static_cast<float>(ray.origin[axis]);
+    const float plane = d > 0 ? box.lower[axis] : box.lower[axis] + box.length[axis];
+    key = std::max(key, (plane - o) * (1 / d));
+  }
+  return key;
+}
+
+// Whether the top-level object a is tested before b.
+bool is_tested_first(const WorldData& data, uint32_t a, uint32_t b, const GeometryRay& ray) {
+  const bool infinite_a = std::binary_search(data.infinite.begin(), data.infinite.end(), a);
+  const bool infinite_b = std::binary_search(data.infinite.begin(), data.infinite.end(), b);
+  if (infinite_a != infinite_b) return infinite_a;
+  if (!infinite_a) {
+    const float key_a = entry_key(data.top[a].box, ray), key_b = entry_key(data.top[b].box, ray);
+    if (key_a != key_b) return key_a < key_b;
+  }
+  return a < b;
+}
+
+}  // namespace
+
+struct World::Impl {
+  WorldData data;
+  std::vector<bool> opaque_textures;
+  std::vector<uint8_t> opaque_nodes;
+
+  bool is_opaque_object(uint32_t node) const;
+  void add_shares(uint32_t node, const Vec3& point, SurfacePoint& out) const;
+};
+
+namespace {
+
+struct ClosestSearch {
+  const WorldData& data;
+  GeometryRay ray;
+  HitStack& stack;
+  ShapeHit hit;
+  double best;
+  int64_t top = -1;
+
+  void test(uint32_t index) {
+    const TopLevelObject& object = data.top[index];
+    if (object.hidden & ray.kind) return;
+    const GeometryNode& node = data.geometry.nodes[object.node];
+    if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return;
+    ShapeHit candidate;
+    // At equal depths the object that is tested first counts.
+    const double limit = top < 0 ? best : just_beyond(best);
+    if (!data.geometry.closest(object.node, ray, limit, stack, candidate)) return;
+    if (candidate.t == best && top >= 0 &&
+        !is_tested_first(data, index, static_cast<uint32_t>(top), ray)) {
+      return;
+    }
+    hit = candidate;
+    best = candidate.t;
+    top = index;
+  }
+};
+
+}  // namespace
+
+World::World() : impl_(std::make_unique<Impl>()) {}
+World::~World() = default;
+
+std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& options) {
+  std::unique_ptr<World> world(new World);
+  WorldData& data = world->impl_->data;
+  WorldBuilder builder(data, options, static_cast<double>(scene.atmosphere_ior),
+                       scene.default_texture);
+  ObjectResolver resolver(scene.effective_version);
+  for (const ObjectPtr& object : scene.objects) builder.add_top_level(resolver.resolve(object));
+  builder.resolve_projected(resolver);
+  builder.finish();
+  return world;
+}
+
+bool World::closest_hit(const Vec3& origin, const Vec3& unit_direction, const RayClass& kind,
+                        double max_t, Hit& hit) const {
+  const WorldData& data = impl_->data;
+  ClosestSearch search{data, {origin, unit_direction, kind_bits(kind)}, scratch(), {}, max_t};
+  for (const uint32_t i : data.infinite) search.test(i);
+  data.bvh.visit_ray(
+      origin, unit_direction, search.best,
+      [](void* context, uint32_t item, double& limit) {
+        auto& s = *static_cast<ClosestSearch*>(context);
+        s.test(s.data.finite[item]);
+        limit = s.best;
+        return false;
+      },
+      &search);
+  if (search.top < 0) return false;
+  hit.t = search.hit.t;
+  hit.item = search.hit.node;
+  hit.part = search.hit.part;
+  hit.barycentric_u = search.hit.u;
+  hit.barycentric_v = search.hit.v;
+  return true;
+}
+
+void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
+                          SurfacePoint& out) const {
+  const WorldData& data = impl_->data;
+  const GeometryNode& node = data.geometry.nodes[hit.item];
+  const NodeAppearance& appearance = data.appearance[hit.item];
+  const ShapeHit shape_hit{hit.t, hit.item, hit.part, hit.barycentric_u, hit.barycentric_v};
+  out.point = origin + hit.t * unit_direction;
+  out.object = &data.objects[node.object];
+
+  // Normal and uv in the shape's space.
+  Vec3 local = out.point;
+  if (node.transform >= 0) {
+    const Transform& transform = data.geometry.transforms[node.transform];
+    local = transform.inverse_point(out.point);
+    out.normal = transform.normal(node.shape->normal(local, shape_hit));
+  } else {
+    out.normal = node.shape->normal(local, shape_hit);
+  }
+  out.normal = normalize_or_zero(out.normal);
+  if (node.inverted) out.normal = -out.normal;
+  out.uv = appearance.needs_uv ? node.shape->uv(local, out.point, shape_hit) : Vec2(0);
+
+  // Textures (geometry.md 7).
+  out.share_count = 0;
+  const WorldObject& object = *out.object;
+  const bool inside_out = dot(out.normal, unit_direction) > 0;
+  if (appearance.own_textures >= 0) {
+    const bool blends_itself = node.shape->ignores_interior_texture();
+    if (inside_out && object.interior_texture != kNoTexture && !blends_itself) {
+      out.shares[out.share_count++] = {object.interior_texture, 1.0f};
+      return;
+    }
+    ShapeTexture shares[SurfacePoint::kMostShares];
+    const int count =
+        node.shape->texture_shares(local, shape_hit, shares, SurfacePoint::kMostShares);
+    for (int i = 0; i < count; ++i) {
+      uint32_t id = object.texture;
+      if (shares[i].index >= 0) {
+        id = data.own_texture_ids[appearance.own_textures + shares[i].index];
+        if (id == kNoTexture) id = object.texture;
+      }
+      if (id != kNoTexture) out.shares[out.share_count++] = {id, shares[i].weight};
+    }
+    return;
+  }
+  if (inside_out && object.interior_texture != kNoTexture) {
+    out.shares[out.share_count++] = {object.interior_texture, 1.0f};
+  } else if (object.texture != kNoTexture) {
+    out.shares[out.share_count++] = {object.texture, 1.0f};
+  } else if (appearance.cutaway_root >= 0) {
+    impl_->add_shares(static_cast<uint32_t>(appearance.cutaway_root), out.point, out);
+  }
+}
+
+// The textures that a CSG's members lend to a cut (geometry.md 6.4).
+void World::Impl::add_shares(uint32_t index, const Vec3& point, SurfacePoint& out) const {
+  const GeometryNode& csg = data.geometry.nodes[index];
+  const auto add = [&](uint32_t child) {
+    if (out.share_count == SurfacePoint::kMostShares) return;
+    const GeometryNode& member = data.geometry.nodes[child];
+    if (!data.geometry.inside_unclipped(child, point)) return;
+    if (member.kind != NodeKind::shape) {
+      add_shares(child, point, out);
+    } else if (data.objects[member.object].texture != kNoTexture) {
+      out.shares[out.share_count++] = {data.objects[member.object].texture, 1.0f};
+    }
+  };
+  const uint32_t* child = data.geometry.lists.data() + csg.children.first;
+  const int before = out.share_count;
+  if (csg.written_as_difference) {
+    if (csg.children.count) add(child[0]);
+    return;
+  }
+  for (uint32_t i = 0; i < csg.children.count; ++i) add(child[i]);
+  const int added = out.share_count - before;
+  for (int i = before; i < out.share_count; ++i) {
+    out.shares[i].weight = 1.0f / static_cast<float>(std::max(added, 1));
+  }
+}
+
+bool World::Impl::is_opaque_object(uint32_t index) const {
+  const GeometryNode& node = data.geometry.nodes[index];
+  if (node.kind != NodeKind::shape) {
+    for (uint32_t i = 0; i < node.children.count; ++i) {
+      if (!is_opaque_object(data.geometry.lists[node.children.first + i])) return false;
+    }
+    return true;
+  }
+  const WorldObject& object = data.objects[node.object];
+  const NodeAppearance& appearance = data.appearance[index];
+  const auto lets_light_through = [&](uint32_t texture) {
+    return texture != kNoTexture && !opaque_textures[texture];
+  };
+  if (lets_light_through(object.texture) || lets_light_through(object.interior_texture)) {
+    return false;
+  }
+  // No texture at all, and textures of parts, are left to shading.
+  if (object.texture == kNoTexture && appearance.own_textures < 0) return false;
+  if (appearance.own_textures >= 0) {
+    const size_t count = node.shape->own_textures()->size();
+    for (size_t i = 0; i < count; ++i) {
+      if (lets_light_through(data.own_texture_ids[appearance.own_textures + i])) return false;
+    }
+  }
+  return true;
+}
+
+void World::set_opaque_textures(std::vector<bool> opaque) {
+  impl_->opaque_textures = std::move(opaque);
+  impl_->opaque_nodes.clear();
+  for (const TopLevelObject& top : impl_->data.top) {
+    impl_->opaque_nodes.push_back(impl_->is_opaque_object(top.node));
+  }
+}
+
+bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction,
+                               double max_t) const {
+  struct Search {
+    const World::Impl& impl;
+    GeometryRay ray;
+    HitStack& stack;
+    double max_t;
+
+    bool blocks(uint32_t index) const {
+      const WorldData& data = impl.data;
+      const TopLevelObject& object = data.top[index];
+      if (!impl.opaque_nodes[index] || (object.hidden & kShadowRay)) return false;
+      const GeometryNode& node = data.geometry.nodes[object.node];
+      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
+      ShapeHit hit;
+      if (!data.geometry.closest(object.node, ray, max_t, stack, hit)) return false;
+      if (hit.t > kLeastShadowDepth) return true;
+      // The nearest one is too near to count: look at all.
+      const size_t base = stack.size();
+      data.geometry.all_hits(object.node, ray, stack);
+      bool found = false;
+      for (size_t i = base; i < stack.size(); ++i) {
+        found |= stack[i].t > kLeastShadowDepth && stack[i].t < max_t;
+      }
+      stack.shrink(base);
+      return found;
+    }
+  } search{*impl_, {origin, unit_direction, kShadowRay}, scratch(), max_t};
+  if (impl_->opaque_nodes.size() != impl_->data.top.size()) return false;
+  for (const uint32_t i : impl_->data.infinite) {
+    if (search.blocks(i)) return true;
+  }
+  struct Context {
+    const Search& search;
+    bool blocked;
+  } context{search, false};
+  impl_->data.bvh.visit_ray(
+      origin, unit_direction, max_t,
+      [](void* data, uint32_t item, double&) {
+        auto& c = *static_cast<Context*>(data);
+        c.blocked = c.search.blocks(c.search.impl.data.finite[item]);
+        return c.blocked;
+      },
+      &context);
+  return context.blocked;
+}
+
+bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,
+                                     double& t) const {
+  const WorldData& data = impl_->data;
+  const int64_t node = data.projected[light];
+  if (node < 0) return false;
+  ShapeHit hit;
+  if (!data.geometry.closest(static_cast<uint32_t>(node), {origin, unit_direction, kShadowRay},
+                             kHugeDepth, scratch(), hit)) {
+    return false;
+  }
+  t = hit.t;
+  return true;
+}
+
+int World::containing_interiors(const Vec3& point, int* interiors, int capacity) const {
+  const WorldData& data = impl_->data;
+  int count = 0;
+  for (const TopLevelObject& top : data.top) {
+    if (count == capacity) break;
+    if (top.box.contains(point) && data.geometry.inside_unclipped(top.node, point)) {
+      interiors[count++] = data.objects[data.geometry.nodes[top.node].object].interior;
+    }
+  }
+  return count;
+}
+
+const std::vector<TexturePtr>& World::textures() const { return impl_->data.textures.textures(); }
+const std::vector<WorldInterior>& World::interiors() const { return impl_->data.interiors; }
+const std::vector<WorldLight>& World::lights() const { return impl_->data.lights; }
+const std::vector<LightGroup>& World::light_groups() const { return impl_->data.light_groups; }
+Bounds World::bounds() const { return impl_->data.bvh.bounds(); }
+
+}  // namespace durer

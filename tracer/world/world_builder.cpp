@@ -1,0 +1,377 @@
+#include "tracer/world/world_builder.h"
+
+#include <algorithm>
+
+namespace durer {
+namespace {
+
+uint8_t hidden_bits(const ResolvedObject& object) {
+  uint8_t bits = 0;
+  if (object.no_image) bits |= kImageRay;
+  if (object.no_reflection) bits |= kReflectionRay;
+  if (object.no_shadow) bits |= kShadowRay | kPhotonRay;
+  if (object.no_radiosity) bits |= kRadiosityRay;
+  return bits;
+}
+
+bool is_union(const ResolvedObject& object) {
+  return object.kind == ResolvedObject::Kind::csg && object.csg == CsgKind::union_;
+}
+
+NodeKind node_kind(const ResolvedObject& object) {
+  switch (object.csg) {
+    case CsgKind::union_: return NodeKind::union_;
+    case CsgKind::merge: return NodeKind::merge;
+    default: return NodeKind::intersection;
+  }
+}
+
+// A union whose solid members cast no shadow casts none (2.4).
+void lift_no_shadow(ResolvedObject& object) {
+  if (!is_union(object)) return;
+  bool any = false;
+  for (const ResolvedObject& child : object.children) {
+    if (child.kind == ResolvedObject::Kind::light) continue;
+    if (!child.no_shadow) return;
+    any = true;
+  }
+  if (any) object.no_shadow = true;
+}
+
+// What a member takes from its parent (section 5, step 1).
+void inherit_from(ResolvedObject& object, const ResolvedObject& parent) {
+  if (!object.texture && parent.texture) {
+    object.texture = parent.texture;
+    object.uv_mapping = parent.uv_mapping;
+  }
+  if (!object.interior_texture && parent.interior_texture) {
+    object.interior_texture = parent.interior_texture;
+    object.uv_mapping = parent.uv_mapping;
+  }
+  object.no_image |= parent.no_image;
+  object.no_reflection |= parent.no_reflection;
+  object.no_radiosity |= parent.no_radiosity;
+  object.no_shadow |= parent.no_shadow;
+  object.cutaway_textures |= parent.cutaway_textures;
+  if (object.radiosity_importance < 0) object.radiosity_importance = parent.radiosity_importance;
+  const auto share = [](auto& own, const auto& from) {
+    if (!own) own = from;
+  };
+  share(object.photons.target, parent.photons.target);
+  share(object.photons.refraction, parent.photons.refraction);
+  share(object.photons.reflection, parent.photons.reflection);
+  share(object.photons.pass_through, parent.photons.pass_through);
+  share(object.photons.collect, parent.photons.collect);
+}
+
+}  // namespace
+
+WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options, double atmosphere_ior,
+                           TexturePtr default_texture)
+    : data_(data),
+      options_(options),
+      atmosphere_ior_(atmosphere_ior),
+      default_texture_(std::move(default_texture)) {
+  if (!default_texture_) default_texture_ = std::make_shared<const TextureNode>();
+}
+
+uint32_t WorldBuilder::new_node() {
+  data_.geometry.nodes.emplace_back();
+  data_.appearance.emplace_back();
+  return static_cast<uint32_t>(data_.geometry.nodes.size() - 1);
+}
+
+void WorldBuilder::add_top_level(ResolvedObject&& object) {
+  if (object.default_texture) default_texture_ = object.default_texture;
+  split(std::move(object), -1);
+}
+
+void WorldBuilder::split(ResolvedObject&& object, int light_group) {
+  // Unneeded bounds go (their box stays).
+  const bool keeps_bounds = object.kind == ResolvedObject::Kind::csg ||
+                            (object.is_quadric && !object.box_from_quadric);
+  if (options_.remove_bounds && !keeps_bounds) {
+    object.bounds.clear();
+  }
+  lift_no_shadow(object);
+  if (object.is_light_group) {
+    light_group = static_cast<int>(data_.light_groups.size());
+    data_.light_groups.push_back({object.global_lights});
+  }
+  const bool has_bounds =
+      !object.bounds.empty() || (object.bounds_are_clips && !object.clips.empty());
+  const auto is_finite = [](const ResolvedObject& child) { return !child.box.is_infinite(); };
+  const bool splits =
+      is_union(object) && object.clips.empty() && object.split_union &&
+      (!has_bounds || object.is_light_group ||
+       (options_.split_unions && std::all_of(object.children.begin(), object.children.end(),
+                                             is_finite)));
+  if (!splits) {
+    const FloatBox box = object.box;
+    const uint8_t hidden = hidden_bits(object);
+    const bool visible =
+        object.kind != ResolvedObject::Kind::light || !object.children.empty();
+    const FloatBox seen =
+        object.kind == ResolvedObject::Kind::light && visible ? object.children[0].box : box;
+    const uint32_t node = emit(object, nullptr, -1, light_group, -1);
+    if (visible && data_.geometry.nodes[node].kind != NodeKind::nothing) {
+      data_.top.push_back({node, seen, hidden});
+    }
+    return;
+  }
+  // The members inherit first, then each stands for itself.
+  int interior = -1;
+  inherit(object, nullptr, -1, interior);
+  for (ResolvedObject& child : object.children) {
+    child.is_csg_child = false;
+    inherit_from(child, object);
+    if (child.shared_interior < 0 && !child.interior) child.shared_interior = interior;
+    split(std::move(child), light_group);
+  }
+}
+
+// Section 5, steps 1 to 3, for one object; its interior's number goes to `interior`.
+void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
+                           int parent_interior, int& interior) {
+  if (parent) inherit_from(object, *parent);
+  const bool parent_cuts_away = parent && parent->kind == ResolvedObject::Kind::csg &&
+                                parent->csg == CsgKind::intersection && parent->cutaway_textures;
+  if (!object.texture && object.kind != ResolvedObject::Kind::light &&
+      !object.has_texture_anywhere() && !parent_cuts_away) {
+    object.texture = {default_texture_, false, {}};
+  }
+  // Interior: its own, the parent's, or a new one.
+  if (object.shared_interior >= 0 && !object.interior) {
+    interior = object.shared_interior;
+  } else if (object.interior || parent_interior < 0) {
+    interior = static_cast<int>(data_.interiors.size());
+    WorldInterior fresh;
+    fresh.ior = atmosphere_ior_;
+    if (object.interior) {
+      fresh.node = object.interior;
+      if (object.interior_moved) {
+        auto moved = std::make_shared<InteriorNode>(*object.interior);
+        for (auto& media : moved->media) {
+          auto copy = std::make_shared<MediaNode>(*media);
+          for (auto& density : copy->densities) {
+            density = transformed(density, object.interior_transform);
+          }
+          media = copy;
+        }
+        fresh.node = moved;
+      }
+      if (fresh.node->ior != 0) fresh.ior = static_cast<double>(fresh.node->ior);
+      fresh.dispersion = static_cast<double>(fresh.node->dispersion);
+      fresh.dispersion_samples = fresh.node->dispersion_samples;
+    }
+    data_.interiors.push_back(std::move(fresh));
+  } else {
+    interior = parent_interior;
+  }
+  data_.interiors[interior].hollow = object.hollow;
+}
+
+uint32_t WorldBuilder::object_number(const WorldObject& object) {
+  // Members of one CSG follow each other and mostly agree.
+  const auto same = [&](const WorldObject& o) {
+    return o.texture == object.texture && o.interior_texture == object.interior_texture &&
+           o.interior == object.interior && o.light_group == object.light_group &&
+           o.uv_mapping == object.uv_mapping && o.double_illuminate == object.double_illuminate &&
+           o.no_shadow == object.no_shadow && o.no_image == object.no_image &&
+           o.no_reflection == object.no_reflection && o.no_radiosity == object.no_radiosity &&
+           o.inverted == object.inverted && o.radiosity_importance == object.radiosity_importance &&
+           o.photons.target == object.photons.target &&
+           o.photons.refraction == object.photons.refraction &&
+           o.photons.reflection == object.photons.reflection &&
+           o.photons.pass_through == object.photons.pass_through &&
+           o.photons.collect == object.photons.collect;
+  };
+  const size_t count = data_.objects.size();
+  for (size_t i = 0; i < 4 && i < count; ++i) {
+    if (same(data_.objects[count - 1 - i])) return static_cast<uint32_t>(count - 1 - i);
+  }
+  data_.objects.push_back(object);
+  return static_cast<uint32_t>(count);
+}
+
+void WorldBuilder::fill_shape(uint32_t index, const ResolvedObject& object, bool csg_child) {
+  GeometryNode& node = data_.geometry.nodes[index];
+  if (!object.shape) {
+    node.kind = NodeKind::nothing;
+    return;
+  }
+  node.kind = NodeKind::shape;
+  node.shape = object.shape.get();
+  node.inverted = object.inverted;
+  node.csg_child = csg_child;
+  if (object.has_transform) {
+    node.transform = static_cast<int32_t>(data_.geometry.transforms.size());
+    data_.geometry.transforms.push_back(object.transform);
+  }
+  if (owned_.try_emplace(object.shape.get(), index).second) {
+    data_.geometry.shapes.push_back(object.shape);
+  }
+}
+
+NodeRange WorldBuilder::emit_list(const std::vector<ResolvedObject>& list) {
+  std::vector<uint32_t> nodes;
+  for (const ResolvedObject& member : list) nodes.push_back(emit_bare(member, false));
+  NodeRange range{static_cast<uint32_t>(data_.geometry.lists.size()),
+                  static_cast<uint32_t>(nodes.size())};
+  data_.geometry.lists.insert(data_.geometry.lists.end(), nodes.begin(), nodes.end());
+  return range;
+}
+
+uint32_t WorldBuilder::add_bare(const ResolvedObject& object) { return emit_bare(object, false); }
+
+// Geometry only, for clips, bounds and questions.
+uint32_t WorldBuilder::emit_bare(const ResolvedObject& object, bool csg_child) {
+  const uint32_t index = new_node();
+  std::vector<uint32_t> children;
+  for (const ResolvedObject& child : object.children) {
+    children.push_back(emit_bare(child, true));
+  }
+  const NodeRange clips = emit_list(object.clips);
+  const NodeRange bounds = object.bounds_are_clips ? clips : emit_list(object.bounds);
+  Geometry& geometry = data_.geometry;
+  if (object.kind == ResolvedObject::Kind::shape) {
+    fill_shape(index, object, csg_child);
+  } else {
+    geometry.nodes[index].kind = object.kind == ResolvedObject::Kind::light
+                                     ? (children.empty() ? NodeKind::nothing : NodeKind::union_)
+                                     : node_kind(object);
+    geometry.nodes[index].has_object =
+        object.kind != ResolvedObject::Kind::light || !children.empty();
+  }
+  GeometryNode& node = geometry.nodes[index];
+  node.hidden = hidden_bits(object);
+  node.children = {static_cast<uint32_t>(geometry.lists.size()),
+                   static_cast<uint32_t>(children.size())};
+  geometry.lists.insert(geometry.lists.end(), children.begin(), children.end());
+  node.clips = clips;
+  node.bounds = bounds;
+  geometry.finish_node(index);
+  return index;
+}
+
+uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent,
+                            int parent_interior, int light_group, int32_t filter) {
+  int interior = -1;
+  inherit(object, parent, parent_interior, interior);
+  if (object.is_light_group && parent) {
+    light_group = static_cast<int>(data_.light_groups.size());
+    data_.light_groups.push_back({object.global_lights});
+  }
+  const uint32_t index = new_node();
+
+  if (object.kind == ResolvedObject::Kind::light) {
+    data_.lights.push_back({object.light, light_group});
+  }
+
+  // Which members lend their textures to untextured surfaces: those of the outermost CSG that
+  // sorts hits out.
+  const bool sorts_out = object.kind == ResolvedObject::Kind::csg &&
+                         (object.csg != CsgKind::union_ || !object.clips.empty());
+  const int32_t inner_filter = filter < 0 && sorts_out ? static_cast<int32_t>(index) : filter;
+  std::vector<uint32_t> children;
+  children.reserve(object.children.size());
+  for (ResolvedObject& child : object.children) {
+    children.push_back(emit(child, &object, interior, light_group, inner_filter));
+  }
+  const NodeRange clips = emit_list(object.clips);
+  const NodeRange bounds = object.bounds_are_clips ? clips : emit_list(object.bounds);
+
+  Geometry& geometry = data_.geometry;
+  if (object.kind == ResolvedObject::Kind::shape) {
+    fill_shape(index, object, object.is_csg_child && parent);
+  } else {
+    GeometryNode& node = geometry.nodes[index];
+    node.kind = object.kind == ResolvedObject::Kind::light
+                    ? (children.empty() ? NodeKind::nothing : NodeKind::union_)
+                    : node_kind(object);
+    node.has_object = object.kind != ResolvedObject::Kind::light || !children.empty();
+    node.written_as_difference = object.written_as_difference;
+  }
+
+  // Materials.
+  WorldObject material;
+  if (object.texture) material.texture = data_.textures.index_of(object.texture);
+  if (object.interior_texture) {
+    material.interior_texture = data_.textures.index_of(object.interior_texture);
+  }
+  material.interior = interior;
+  material.light_group = light_group;
+  material.uv_mapping = object.uv_mapping;
+  material.double_illuminate = object.double_illuminate;
+  material.no_shadow = object.no_shadow;
+  material.no_image = object.no_image;
+  material.no_reflection = object.no_reflection;
+  material.no_radiosity = object.no_radiosity;
+  material.inverted = object.inverted;
+  material.photons = object.photons;
+  material.radiosity_importance = object.radiosity_importance;
+  material.position = object.position;
+
+  NodeAppearance appearance;
+  appearance.cutaway_root = object.texture ? -1 : filter;
+  appearance.needs_uv = object.uv_mapping;
+  for (const uint32_t texture : {material.texture, material.interior_texture}) {
+    if (texture != kNoTexture) appearance.needs_uv |= data_.textures.uses_uv(texture);
+  }
+  if (object.kind == ResolvedObject::Kind::shape && object.shape && object.shape->own_textures()) {
+    appearance.own_textures = static_cast<int32_t>(data_.own_texture_ids.size());
+    for (const TexturePtr& texture : *object.shape->own_textures()) {
+      MovedTexture own{texture, false, {}};
+      if (object.has_transform && !object.uv_mapping) own.move(object.transform);
+      const uint32_t id = texture ? data_.textures.index_of(own) : kNoTexture;
+      data_.own_texture_ids.push_back(id);
+      if (id != kNoTexture) appearance.needs_uv |= data_.textures.uses_uv(id);
+    }
+  }
+  data_.appearance[index] = appearance;
+
+  GeometryNode& node = geometry.nodes[index];
+  node.object = object_number(material);
+  node.hidden = hidden_bits(object);
+  node.children = {static_cast<uint32_t>(geometry.lists.size()),
+                   static_cast<uint32_t>(children.size())};
+  geometry.lists.insert(geometry.lists.end(), children.begin(), children.end());
+  node.clips = clips;
+  node.bounds = bounds;
+  geometry.finish_node(index);
+  return index;
+}
+
+void WorldBuilder::resolve_projected(ObjectResolver& resolver) {
+  for (const WorldLight& light : data_.lights) {
+    data_.projected.push_back(
+        light.node->projected_through
+            ? static_cast<int64_t>(emit_bare(resolver.resolve(light.node->projected_through), false))
+            : -1);
+  }
+}
+
+void WorldBuilder::finish() {
+  const bool uses_bounding =
+      data_.top.size() + data_.lights.size() >= static_cast<size_t>(options_.bounding_threshold);
+  std::vector<Bounds> boxes;
+  for (uint32_t i = 0; i < data_.top.size(); ++i) {
+    const TopLevelObject& top = data_.top[i];
+    const GeometryNode& node = data_.geometry.nodes[top.node];
+    Bounds box = top.box.to_bounds();
+    bool is_infinite = top.box.is_infinite();
+    if (!uses_bounding && node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test()) {
+      box = node.surface;
+      is_infinite = !node.surface_is_bounded;
+    }
+    if (is_infinite || !box.is_bounded()) {
+      data_.infinite.push_back(i);
+    } else if (!box.is_empty()) {
+      data_.finite.push_back(i);
+      boxes.push_back(box);
+    }
+  }
+  data_.bvh.build(boxes);
+}
+
+}  // namespace durer
