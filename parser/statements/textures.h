@@ -40,8 +40,10 @@ std::shared_ptr<const SlopeMap> parse_slope_map(Parser& parser);
 std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser);
 std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser);
 
-// After `{` of image_map and the like, or of height_field: [type] file [gamma..] [premultiplied..].
+// After `{` of height_field: [type] file [gamma ...] [premultiplied ...].
 std::shared_ptr<ImageSource> parse_image_file(Parser& parser);
+// The same with the options that this kind of image pattern takes, up to the closing brace.
+std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind);
 
 std::shared_ptr<const FogNode> parse_fog(Parser& parser);
 std::shared_ptr<const RainbowNode> parse_rainbow(Parser& parser);

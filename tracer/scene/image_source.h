@@ -13,14 +13,24 @@
 
 namespace durer {
 
-class Image;  // tracer/image/image.h: pixels, read once and shared
 struct FunctionNode;
 
 enum class ImageMapType { planar = 0, spherical = 1, cylindrical = 2, toroidal = 5 };
 enum class ImageInterpolation { none = 0, bilinear = 2, bicubic = 3, normalized_distance = 4 };
 
+enum class ImageFileType { by_name, tga, png, ppm, pgm, gif, iff, jpeg, tiff, bmp, exr, hdr, function };
+enum class ImageGamma { automatic, power, srgb };
+
 struct ImageSource {
-  std::shared_ptr<const Image> image;  // loaded by the parser: errors name the line
+  // As found; the pixels are read when the world is built. Empty: a function image.
+  std::string path;
+  ImageFileType type = ImageFileType::by_name;
+  ImageGamma gamma_kind = ImageGamma::automatic;
+  double gamma = 1;
+  std::optional<bool> premultiplied;
+  // image_map { function w, h { ... } }
+  int function_width = 0, function_height = 0;
+  std::shared_ptr<const FunctionNode> function;
   ImageMapType map_type = ImageMapType::planar;
   ImageInterpolation interpolation = ImageInterpolation::none;
   bool once = false;
@@ -31,6 +41,7 @@ struct ImageSource {
   bool use_index = false;
   // `filter all`, `transmit all`; by palette index in order of the text (index, value).
   std::optional<float> filter_all, transmit_all;
+  SourcePosition position;
   std::vector<std::pair<int, float>> filter_by_index, transmit_by_index;
 };
 

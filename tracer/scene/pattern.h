@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -14,7 +15,6 @@ namespace durer {
 struct FunctionNode;
 struct ObjectNode;
 struct PigmentNode;
-class DensityGrid;  // tracer/image/density_grid.h: a df3 file's voxels
 
 // Every pattern keyword of POV-Ray 3.7. bump_map and facets exist in normals only, image_map in
 // pigments only.
@@ -91,6 +91,7 @@ struct CrackleParameters {
 
 // julia, mandel, magnet (spec/textures.md 7).
 struct FractalParameters {
+  int magnet_type = 1;  // magnet 1, 2
   Vec2 coordinates{0, 0};  // julia's constant
   int iterations = 0;
   int exponent = 2;
@@ -153,8 +154,8 @@ struct PatternNode {
   SlopeParameters slope;
   FacetsParameters facets;
   PavementParameters pavement;
-  int density_interpolation = 1;  // 0 none, 1 trilinear, 2 tricubic
-  std::shared_ptr<const DensityGrid> density_grid;
+  int density_interpolation = 0;  // 0 none, 1 trilinear, 2 tricubic
+  std::string density_file;  // path as found
   std::shared_ptr<const ImageSource> image;
   std::shared_ptr<const FunctionNode> function;
   std::shared_ptr<const ObjectNode> object;

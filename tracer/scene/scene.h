@@ -83,6 +83,7 @@ struct GlobalSettings {
   int max_trace_level = 5;
   double mm_per_unit = 10;
   int noise_generator = 2;
+  bool noise_generator_given = false;
   int number_of_waves = 10;
   bool subsurface = false;
   int subsurface_samples_diffuse = 50, subsurface_samples_single = 50;

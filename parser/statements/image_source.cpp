@@ -1,0 +1,125 @@
+// image_map, bump_map, image_pattern, material_map: file and options (spec/textures.md 12.1).
+#include <cmath>
+
+#include "parser/parser.h"
+#include "parser/statements/textures.h"
+
+namespace durer {
+namespace {
+
+ImageFileType accept_type(Parser& parser) {
+  struct Word {
+    Keyword keyword;
+    ImageFileType type;
+  };
+  static constexpr Word kWords[] = {
+      {Keyword::tga, ImageFileType::tga},   {Keyword::png, ImageFileType::png},
+      {Keyword::ppm, ImageFileType::ppm},   {Keyword::pgm, ImageFileType::pgm},
+      {Keyword::gif, ImageFileType::gif},   {Keyword::iff, ImageFileType::iff},
+      {Keyword::jpeg, ImageFileType::jpeg}, {Keyword::tiff, ImageFileType::tiff},
+      {Keyword::bmp, ImageFileType::bmp},   {Keyword::exr, ImageFileType::exr},
+      {Keyword::hdr, ImageFileType::hdr},   {Keyword::sys, ImageFileType::bmp},
+  };
+  for (const Word& word : kWords) {
+    if (parser.accept(word.keyword)) return word.type;
+  }
+  return ImageFileType::by_name;
+}
+
+bool accept_index_or_all(Parser& parser, std::optional<float>& all,
+                         std::vector<std::pair<int, float>>& by_index) {
+  if (parser.accept(Keyword::all)) {
+    all = static_cast<float>(parser.parse_float());
+    return true;
+  }
+  const int index = parser.parse_int();
+  parser.accept_comma();
+  by_index.emplace_back(index, static_cast<float>(parser.parse_float()));
+  return true;
+}
+
+ImageInterpolation parse_interpolation(Parser& parser, bool strict) {
+  const int kind = parser.parse_int();
+  if (strict && (kind < 2 || kind > 4)) parser.error("there are interpolations 2, 3 and 4");
+  return kind >= 2 && kind <= 4 ? static_cast<ImageInterpolation>(kind)
+                                : ImageInterpolation::none;
+}
+
+ImageMapType parse_map_type(Parser& parser, bool strict) {
+  const int kind = parser.parse_int();
+  if (kind == 1 || kind == 2 || kind == 5) return static_cast<ImageMapType>(kind);
+  if (kind != 0 && strict) parser.error("there are map types 0, 1, 2 and 5");
+  return ImageMapType::planar;
+}
+
+}  // namespace
+
+std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
+  auto source = std::make_shared<ImageSource>();
+  if (parser.accept(Keyword::function)) {
+    source->type = ImageFileType::function;
+    source->function_width = parser.parse_int();
+    parser.accept_comma();
+    source->function_height = parser.parse_int();
+    if (source->function_width < 1 || source->function_height < 1) {
+      parser.error("an image needs at least one pixel");
+    }
+    source->function = parser.parse_function(FunctionParameters::xyz);
+    return source;
+  }
+  source->type = accept_type(parser);
+  const std::string name = parser.parse_path_string();
+  source->path = parser.find_file(name, FileType::image);
+  if (source->path.empty()) parser.error("the image '" + name + "' is not found");
+  for (;;) {
+    if (parser.accept(Keyword::gamma)) {
+      if (parser.accept(Keyword::srgb)) {
+        source->gamma_kind = ImageGamma::srgb;
+      } else {
+        source->gamma_kind = ImageGamma::power;
+        source->gamma = parser.parse_float();
+        if (!(source->gamma > 0)) parser.error("gamma must be positive");
+      }
+    } else if (parser.accept(Keyword::premultiplied)) {
+      source->premultiplied = parser.parse_optional_switch();
+    } else {
+      return source;
+    }
+  }
+}
+
+std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind) {
+  const auto source = parse_image_file(parser);
+  const bool pigment = kind == PatternKind::image_map;
+  for (;;) {
+    parser.accept_comma();
+    if (parser.accept(Keyword::map_type)) {
+      source->map_type = parse_map_type(parser, pigment);
+    } else if (parser.accept(Keyword::interpolate)) {
+      source->interpolation = parse_interpolation(parser, pigment);
+    } else if (parser.accept(Keyword::once)) {
+      source->once = true;
+    } else if (parser.accept(Keyword::repeat)) {
+      source->repeat = parser.parse_uv();
+      if (source->repeat.x <= 0 || source->repeat.y <= 0) parser.error("repeat must be positive");
+    } else if (parser.accept(Keyword::offset)) {
+      source->offset = parser.parse_uv();
+    } else if (pigment && parser.accept(Keyword::filter)) {
+      accept_index_or_all(parser, source->filter_all, source->filter_by_index);
+    } else if (pigment && parser.accept(Keyword::transmit)) {
+      accept_index_or_all(parser, source->transmit_all, source->transmit_by_index);
+    } else if (kind == PatternKind::image_pattern && parser.accept(Keyword::use_alpha)) {
+      source->use_alpha = true;
+    } else if (parser.accept(Keyword::use_color)) {
+      source->use_color = true;
+      source->use_index = false;
+    } else if (parser.accept(Keyword::use_index)) {
+      source->use_index = true;
+      source->use_color = false;
+    } else {
+      return source;
+    }
+  }
+}
+
+}  // namespace durer

@@ -1,0 +1,136 @@
+// normal{} (spec/textures.md 14).
+#include "parser/parser.h"
+#include "parser/statements/map_entries.h"
+#include "parser/statements/objects.h"
+#include "parser/statements/pattern.h"
+#include "parser/statements/textures.h"
+
+namespace durer {
+namespace {
+
+class NormalReader {
+ public:
+  NormalReader(Parser& parser, NormalNode& node) : parser_(parser), node_(node) {}
+
+  void read() {
+    if (parser_.accept(Keyword::uv_mapping)) {
+      auto inner = std::make_shared<NormalNode>(node_);
+      NormalReader(parser_, *inner).read();
+      node_ = NormalNode{};
+      node_.pattern.kind = PatternKind::uv_mapping;
+      node_.inner = std::move(inner);
+      return;
+    }
+    read_start();
+    while (accept_item() || accept_pattern_modifier(parser_, node_.pattern)) {
+    }
+    if (node_.pattern.kind == PatternKind::none) parser_.error("this normal has no pattern");
+    if (node_.pattern.kind == PatternKind::average && !node_.normal_map) {
+      parser_.error("average needs a normal_map");
+    }
+  }
+
+ private:
+  void read_amount() {
+    parser_.accept_comma();
+    if (parser_.at_expression()) node_.bump_size = static_cast<float>(parser_.parse_float());
+  }
+
+  void read_start() {
+    if (parser_.accept(Keyword::bump_map)) {
+      node_.pattern.kind = PatternKind::bump_map;
+      node_.pattern.frequency = 0;
+      node_.pattern.position = parser_.position();
+      parser_.expect_open("bump_map");
+      node_.pattern.image = parse_image_options(parser_, PatternKind::bump_map);
+      if (parser_.accept(Keyword::bump_size)) {
+        node_.bump_size = static_cast<float>(parser_.parse_float());
+      }
+      parser_.expect_close("bump_map");
+    } else if (parser_.accept(Keyword::object)) {
+      node_.pattern.kind = PatternKind::object;
+      node_.pattern.frequency = 0;
+      parser_.expect_open("object");
+      node_.pattern.object = require_object(parser_);
+      read_list(2);
+      parser_.expect_close("object");
+    } else if (accept_pattern(parser_, node_.pattern, PatternUse::normal)) {
+      if (const int count = list_length(node_.pattern.kind)) {
+        read_list(count);
+        if (!node_.normal_map) read_amount();
+      } else {
+        read_amount();
+      }
+    }
+  }
+
+  void read_list(int count) {
+    node_.normal_map = nullptr;
+    if (!parser_.at(Keyword::normal)) return;
+    auto map = std::make_shared<NormalMap>();
+    while (static_cast<int>(map->entries.size()) < count && parser_.accept(Keyword::normal)) {
+      const float place = static_cast<float>(map->entries.size());
+      map->entries.push_back({place, parse_normal(parser_, default_texture(parser_)->normal)});
+      parser_.accept_comma();
+    }
+    while (static_cast<int>(map->entries.size()) < count) {
+      const float place = static_cast<float>(map->entries.size());
+      auto flat = std::make_shared<NormalNode>();
+      flat->pattern.kind = PatternKind::bumps;
+      flat->bump_size = 0;
+      map->entries.push_back({place, std::move(flat)});
+    }
+    node_.normal_map = std::move(map);
+  }
+
+  bool accept_item() {
+    if (parser_.accept(Keyword::bump_size)) {
+      node_.bump_size = static_cast<float>(parser_.parse_float());
+    } else if (parser_.accept(Keyword::accuracy)) {
+      node_.accuracy = static_cast<float>(parser_.parse_float());
+      if (node_.accuracy <= 0) parser_.error("accuracy must be positive");
+    } else if (parser_.accept(Keyword::no_bump_scale)) {
+      node_.no_bump_scale = parser_.parse_optional_switch();
+    } else if (parser_.accept(Keyword::normal_map)) {
+      node_.normal_map = parse_normal_map(parser_);
+    } else if (parser_.accept(Keyword::slope_map)) {
+      if (list_length(node_.pattern.kind) > 0 || node_.pattern.kind == PatternKind::average ||
+          node_.pattern.kind == PatternKind::bump_map) {
+        parser_.error("this pattern takes no slope_map");
+      }
+      node_.slope_map = parse_slope_map(parser_);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  Parser& parser_;
+  NormalNode& node_;
+};
+
+std::shared_ptr<const NormalNode> read_contents(Parser& parser,
+                                                const std::shared_ptr<const NormalNode>& start) {
+  const auto named = parser.accept_identifier<NormalNode>(ValueKind::normal);
+  auto node = named   ? std::make_shared<NormalNode>(*named)
+              : start ? std::make_shared<NormalNode>(*start)
+                      : std::make_shared<NormalNode>();
+  NormalReader(parser, *node).read();
+  return node;
+}
+
+}  // namespace
+
+std::shared_ptr<const NormalNode> parse_normal(Parser& parser,
+                                               const std::shared_ptr<const NormalNode>& start) {
+  parser.expect_open("normal");
+  auto node = read_contents(parser, start);
+  parser.expect_close("normal");
+  return node;
+}
+
+std::shared_ptr<const NormalNode> parse_normal_entry(Parser& parser) {
+  return read_contents(parser, default_texture(parser)->normal);
+}
+
+}  // namespace durer

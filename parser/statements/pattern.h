@@ -1,0 +1,21 @@
+// Patterns as pigments, normals, textures and densities read them (spec/textures.md 3-9, 17).
+#pragma once
+
+#include "tracer/scene/pattern.h"
+
+namespace durer {
+
+class Parser;
+
+// Where a pattern stands decides which keywords exist.
+enum class PatternUse : uint8_t { pigment, normal, texture, density, function };
+
+// If a pattern's keyword comes next: reads it with its own arguments, up to the list or amount that
+// may follow. Lists are the caller's (see list_length).
+bool accept_pattern(Parser& parser, PatternNode& node, PatternUse use);
+// turbulence, warps, waves, transformations and the parameters of single patterns.
+bool accept_pattern_modifier(Parser& parser, PatternNode& node);
+// How many items a list pattern takes (checker 2, ...); 0: no list pattern.
+int list_length(PatternKind kind);
+
+}  // namespace durer

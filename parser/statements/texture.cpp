@@ -1,0 +1,214 @@
+// texture{}: plain, layered, patterned, tiles, material_map (spec/textures.md 15).
+#include "parser/parser.h"
+#include "parser/statements/map_entries.h"
+#include "parser/statements/objects.h"
+#include "parser/statements/pattern.h"
+#include "parser/statements/textures.h"
+#include "parser/statements/transformations.h"
+#include "tracer/scene/scene.h"
+
+namespace durer {
+namespace {
+
+class TextureReader {
+ public:
+  explicit TextureReader(Parser& parser) : parser_(parser) {}
+
+  TexturePtr read() {
+    const auto named = parser_.accept_identifier<TextureNode>(ValueKind::texture);
+    texture_ = named ? named : default_texture(parser_);
+    if (texture_->kind != TextureNode::Kind::plain) {
+      while (accept_transform()) {
+      }
+      return texture_;
+    }
+    bool any = read_bare_identifiers();
+    while (accept_part() || accept_transform()) any = true;
+    if (!any && !named) read_patterned();
+    return texture_;
+  }
+
+ private:
+  TextureNode& edit() {
+    auto copy = std::make_shared<TextureNode>(*texture_);
+    TextureNode& node = *copy;
+    texture_ = std::move(copy);
+    return node;
+  }
+
+  // Old scenes name a pigment, normal or finish without its braces.
+  bool read_bare_identifiers() {
+    bool any = false;
+    for (;; any = true) {
+      if (auto pigment = parser_.accept_identifier<PigmentNode>(ValueKind::pigment)) {
+        edit().pigment = std::move(pigment);
+      } else if (auto normal = parser_.accept_identifier<NormalNode>(ValueKind::normal)) {
+        edit().normal = std::move(normal);
+      } else if (auto finish = parser_.accept_identifier<FinishNode>(ValueKind::finish)) {
+        edit().finish = std::move(finish);
+      } else {
+        return any;
+      }
+    }
+  }
+
+  bool accept_part() {
+    if (parser_.accept(Keyword::pigment)) {
+      auto pigment = parse_pigment(parser_, texture_->pigment);
+      edit().pigment = std::move(pigment);
+    } else if (parser_.accept(Keyword::normal)) {
+      auto normal = parse_normal(parser_, texture_->normal);
+      edit().normal = std::move(normal);
+    } else if (parser_.accept(Keyword::finish)) {
+      auto finish = parse_finish(parser_, texture_->finish);
+      edit().finish = std::move(finish);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  bool accept_transform() {
+    Transform transform;
+    if (accept_transformation(parser_, transform)) {
+      texture_ = transformed(texture_, transform);
+      return true;
+    }
+    if (parser_.accept(Keyword::no_bump_scale)) {
+      if (parser_.parse_optional_switch() && texture_->normal) {
+        auto normal = std::make_shared<NormalNode>(*texture_->normal);
+        normal->no_bump_scale = true;
+        edit().normal = std::move(normal);
+      }
+      return true;
+    }
+    return false;
+  }
+
+  void read_patterned() {
+    auto node = std::make_shared<TextureNode>();
+    node->kind = TextureNode::Kind::patterned;
+    node->pattern.position = parser_.position();
+    if (parser_.accept(Keyword::tiles)) {
+      read_tiles(*node);
+    } else if (parser_.accept(Keyword::material_map)) {
+      read_material_map(*node);
+    } else if (parser_.accept(Keyword::uv_mapping)) {
+      node->pattern.kind = PatternKind::uv_mapping;
+      auto map = std::make_shared<TextureMap>();
+      map->entries.push_back({0, TextureReader(parser_).read()});
+      node->texture_map = std::move(map);
+    } else if (parser_.accept(Keyword::object)) {
+      node->pattern.kind = PatternKind::object;
+      node->pattern.frequency = 0;
+      parser_.expect_open("object");
+      node->pattern.object = require_object(parser_);
+      read_list(*node, 2);
+      parser_.expect_close("object");
+    } else if (accept_pattern(parser_, node->pattern, PatternUse::texture)) {
+      if (const int count = list_length(node->pattern.kind)) read_list(*node, count);
+    } else {
+      return;  // an empty texture{} is the default one
+    }
+    for (;;) {
+      if (parser_.accept(Keyword::texture_map)) {
+        node->texture_map = parse_texture_map(parser_);
+      } else if (!accept_pattern_modifier(parser_, node->pattern)) {
+        break;
+      }
+    }
+    if (node->kind == TextureNode::Kind::patterned && !node->texture_map) {
+      parser_.error("a patterned texture needs a texture_map");
+    }
+    texture_ = std::move(node);
+  }
+
+  void read_list(TextureNode& node, int count) {
+    auto map = std::make_shared<TextureMap>();
+    for (int i = 0; i < count; ++i) {
+      const float place = static_cast<float>(i);
+      if (parser_.accept(Keyword::texture)) {
+        map->entries.push_back({place, parse_texture(parser_)});
+        parser_.accept_comma();
+      } else if (i == 0) {
+        return;
+      } else {
+        map->entries.push_back({place, default_texture(parser_)});
+      }
+    }
+    node.texture_map = std::move(map);
+  }
+
+  // A checker: the first texture at value 1.
+  void read_tiles(TextureNode& node) {
+    parser_.expect_open("tiles");
+    if (!parser_.accept(Keyword::texture)) parser_.error_expected("texture");
+    const TexturePtr first = parse_layers();
+    if (!parser_.accept(Keyword::tile2)) parser_.error_expected("tile2");
+    if (!parser_.accept(Keyword::texture)) parser_.error_expected("texture");
+    const TexturePtr second = parse_layers();
+    parser_.expect_close("tiles");
+    node.pattern.kind = PatternKind::checker;
+    node.pattern.frequency = 0;
+    auto map = std::make_shared<TextureMap>();
+    map->entries = {{0, second}, {1, first}};
+    node.texture_map = std::move(map);
+  }
+
+  TexturePtr parse_layers() {
+    TexturePtr texture = parse_texture(parser_);
+    while (parser_.accept(Keyword::texture)) {
+      texture = layer_texture(parser_, texture, parse_texture(parser_));
+    }
+    return texture;
+  }
+
+  void read_material_map(TextureNode& node) {
+    node.kind = TextureNode::Kind::material_map;
+    parser_.expect_open("material_map");
+    node.pattern.image = parse_image_options(parser_, PatternKind::none);
+    while (parser_.accept(Keyword::texture)) node.materials.push_back(parse_layers());
+    if (node.materials.empty()) parser_.error("a material_map needs at least one texture");
+    parser_.expect_close("material_map");
+  }
+
+  Parser& parser_;
+  TexturePtr texture_;
+};
+
+}  // namespace
+
+TexturePtr default_texture(Parser& parser) {
+  TexturePtr& texture = parser.scene().default_texture;
+  if (!texture) {
+    auto node = std::make_shared<TextureNode>();
+    node->pigment = std::make_shared<const PigmentNode>();
+    node->finish = std::make_shared<const FinishNode>();
+    texture = std::move(node);
+  }
+  return texture;
+}
+
+TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TexturePtr& top) {
+  if (below->kind != TextureNode::Kind::plain) {
+    parser.error("nothing can be layered over a patterned texture");
+  }
+  if (top->kind != TextureNode::Kind::plain) {
+    parser.error("a patterned texture cannot be layered over another");
+  }
+  // The top may be a stack of its own: its bottom comes to lie on `below`.
+  auto copy = std::make_shared<TextureNode>(*top);
+  copy->below = top->below ? layer_texture(parser, below, top->below) : below;
+  return copy;
+}
+
+TexturePtr parse_texture(Parser& parser) {
+  parser.expect_open("texture");
+  TexturePtr texture = TextureReader(parser).read();
+  parser.expect_close("texture");
+  return texture;
+}
+
+TexturePtr parse_texture_entry(Parser& parser) { return TextureReader(parser).read(); }
+
+}  // namespace durer
