@@ -247,6 +247,7 @@ void Parser::State::do_switch() {
   expect(Symbol::paren_close);
   open_conditional(Kind::switch_waiting, start);
   conditionals.back().switch_value = value;
+  conditionals.back().directive_depth = directive_depth - 1;
   ++waiting_switches;
 }
 

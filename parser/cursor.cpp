@@ -81,7 +81,9 @@ void Parser::State::fetch() {
           return_from_macro();
           continue;
         }
+        ++directive_depth;
         execute_directive();
+        --directive_depth;
         continue;
       case TokenKind::identifier:
         if (fetch_identifier()) continue;
@@ -102,7 +104,8 @@ void Parser::State::fetch() {
       default:
         break;
     }
-    if (waiting_switches > 0 && conditionals.back().kind == Conditional::Kind::switch_waiting) {
+    if (waiting_switches > 0 && conditionals.back().kind == Conditional::Kind::switch_waiting &&
+        conditionals.back().directive_depth == directive_depth) {
       error("expected #case or #range after #switch");
     }
     ahead = kToken;

@@ -107,13 +107,21 @@ void Parser::State::do_declare(bool local) {
       if (!value || !value->is_set()) error("the value to assign is not set");
       right.value = *value;
     }
-    check_semicolon(right.numeric);
+  }
+  // Stored before `;` is looked for: what follows may be the #end of the macro whose parameter this
+  // is.
+  const bool numeric = right.numeric;
+  if (numeric && language_version >= 350) {
+    const FlagScope off(directives_live, false);
+    if (!peek().is(Symbol::semicolon)) check_semicolon(true);
   }
   if (is_element) {
     store(target, std::move(right.value));
   } else {
-    assign(name, target, std::move(right.value), local, std::move(deprecation));
+    assign(name, std::move(right.value), local, std::move(deprecation));
   }
+  const FlagScope off(directives_live, false);
+  check_semicolon(numeric);
 }
 
 // With directives off: `;` after a number is required, after anything else allowed.
@@ -133,11 +141,10 @@ void Parser::State::check_semicolon(bool numeric) {
   }
 }
 
-void Parser::State::assign(Name name, const Reference& seen, Value value, bool local,
+void Parser::State::assign(Name name, Value value, bool local,
                            std::unique_ptr<Deprecation> deprecation) {
   // What the name means now: reading the value may have changed it.
   Entry* entry = symbols.find(name);
-  (void)seen;
   if (entry && entry->alias) {
     store(*entry->alias, std::move(value));
     return;

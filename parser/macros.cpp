@@ -70,6 +70,7 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
   ahead = kNothing;
   {
     const FlagScope off(directives_live, false);
+    ++directive_depth;
     expect(Symbol::paren_open);
     for (size_t i = 0; i < count; ++i) {
       if (peek().is(Symbol::paren_close)) {
@@ -78,12 +79,13 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
               std::to_string(i) + " given");
       }
       parse_right_side(arguments[i], "a macro argument");
+      if (arguments[i].is_reference) keep_if_scope_ends(arguments[i]);
       accept_comma();
     }
     if (!accept(Symbol::paren_close)) {
-      error_expected("')' after the last argument of macro '" +
-                     std::string(names.text(macro->name)) + "'");
+      error_expected("')' after the last argument of macro " + quoted(macro->name));
     }
+    --directive_depth;
   }
   if (static_cast<int>(symbols.nested()) >= options.limits.max_symbol_tables) {
     error("macros and includes are nested too deeply (limit " +
@@ -106,6 +108,16 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
   }
   // The call's lookahead is empty: the argument list ended with its parenthesis.
   push_frame(macro->file, macro->body, macro);
+}
+
+// Looking at what follows an argument may end the scope of a nested call that delivered it.
+void Parser::State::keep_if_scope_ends(RightSide& argument) {
+  Entry* entry = argument.reference.entry;
+  if (argument.value.kind() == ValueKind::unset) argument.value = *readable(argument.reference);
+  SymbolTable::hold(*entry);
+  peek();
+  if (!entry->live) argument.is_reference = false;
+  symbols.drop(*entry);
 }
 
 void Parser::State::return_from_macro() {

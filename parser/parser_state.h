@@ -58,6 +58,7 @@ struct Conditional {
   Name variable = 0;       // #for
   double end = 0, step = 0;
   double switch_value = 0;
+  int directive_depth = 0;  // #switch: where tokens before the first label are a mistake
 };
 
 struct Parser::State {
@@ -156,23 +157,25 @@ struct Parser::State {
   void do_include();
   void do_version();
   void do_message(Keyword which);
-  void assign(Name name, const Reference& target, Value value, bool local,
+  void assign(Name name, Value value, bool local,
               std::unique_ptr<Deprecation> deprecation);
   void check_semicolon(bool numeric);
   void write_debug(const std::string& text);
 
-  // ---- macros.cpp -----------------------------------------------------------------------------
-  void do_macro();
-  void call_macro(const std::shared_ptr<const Macro>& macro);
-  void return_from_macro();
-
-  // ---- values.cpp -----------------------------------------------------------------------------
   struct RightSide {
     Value value;
     bool numeric = false;  // needs a semicolon after #declare
     Reference reference;   // exactly one identifier: what it names
     bool is_reference = false;
   };
+
+  // ---- macros.cpp -----------------------------------------------------------------------------
+  void do_macro();
+  void call_macro(const std::shared_ptr<const Macro>& macro);
+  void return_from_macro();
+  void keep_if_scope_ends(RightSide& argument);
+
+  // ---- values.cpp -----------------------------------------------------------------------------
   // A #declare's right-hand side, a macro argument or an array element.
   void parse_right_side(RightSide& result, const char* what);
   Value parse_array();
@@ -268,6 +271,7 @@ struct Parser::State {
   bool directives_live = true;
   bool resolve_elements = true;   // off while the left side of #declare is read
   int waiting_switches = 0;       // #switch directives that look for their first label
+  int directive_depth = 0;        // directives and macro calls whose own tokens are being read
   uint64_t consumed = 0;          // tokens handed out so far
   uint32_t last_offset = 0;       // of the token read last
   SourceFile* last_file = nullptr;

@@ -56,7 +56,7 @@ void SymbolTable::release(Entry* entry) {
   if (entry->alias) {
     Entry* target = entry->alias->entry;
     entry->alias.reset();
-    if (--target->references == 0 && !target->live) free_.push_back(target);
+    drop(*target);
   }
   if (entry->references == 0) free_.push_back(entry);
 }

@@ -57,6 +57,11 @@ class SymbolTable {
   // Removes a visible entry; aliases of it die with it.
   void remove(Entry& entry);
   void make_alias(Entry& entry, Reference target);
+  // Keeps an entry from being reused while somebody looks whether it stays alive.
+  static void hold(Entry& entry) { ++entry.references; }
+  void drop(Entry& entry) {
+    if (--entry.references == 0 && !entry.live) free_.push_back(&entry);
+  }
 
   uint32_t innermost() const { return depth_ - 1; }
   // Tables below the global one.

@@ -78,7 +78,7 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
       } else {
         reference.entry = look.entry;
       }
-      ++reference.entry->references;
+      SymbolTable::hold(*reference.entry);
       const uint64_t before = consumed;
       Terms terms;
       if (color_rules) {
@@ -87,13 +87,13 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
         parse_parameter(terms, 1);
       }
       peek();
-      --reference.entry->references;
       // Exactly one token was used and its scope has not ended while we looked for an operator.
       const bool alone = consumed == before + 1 && !callable;
       if (alone && reference.entry->live) {
         result.is_reference = true;
         result.reference = reference;
       }
+      symbols.drop(*reference.entry);
       result.value = to_value(terms);
       result.numeric = true;
       return;
@@ -118,12 +118,6 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
                        : look.entry->alias ? *look.entry->alias
                                            : Reference{look.entry, 0, {}};
     consume();
-    // The peek at what follows may end the scope of a macro that delivered the identifier.
-    Entry* entry = result.reference.entry;
-    ++entry->references;
-    peek();
-    --entry->references;
-    if (!entry->live) result.is_reference = false;
     return;
   }
   if (starts_color()) {
