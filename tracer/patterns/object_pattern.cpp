@@ -1,9 +1,15 @@
-// object, pigment_pattern: patterns that ask other rooms.
+// object, pigment_pattern, function: patterns that ask other rooms.
 //
-//   pigment { object { Shape color rgb 1, color rgb 0 } }   1 inside the object, else 0
+//   pigment { object { Shape color rgb 1, color rgb 0 } }      1 inside the object, else 0
+//   pigment { pigment_pattern { marble } color_map { ... } }   grey of another pigment
+//   pigment { function { sin(x) * y } color_map { ... } }      folded above 1
 //
 // Source: spec/textures.md 6.
+#include <cmath>
+
+#include "tracer/functions/compiled_function.h"
 #include "tracer/patterns/pattern_factories.h"
+#include "tracer/scene/function.h"
 #include "tracer/scene/not_supported.h"
 
 namespace durer {
@@ -21,12 +27,48 @@ class ObjectPattern : public BasePattern {
   std::shared_ptr<const InsideTest> test_;
 };
 
+class PigmentPattern : public BasePattern {
+ public:
+  explicit PigmentPattern(std::shared_ptr<const GreyField> pigment)
+      : pigment_(std::move(pigment)) {}
+  double base_value(const Vec3& p, const PatternContext&) const override {
+    return pigment_->grey(p);
+  }
+
+ private:
+  std::shared_ptr<const GreyField> pigment_;
+};
+
+class FunctionPattern : public BasePattern {
+ public:
+  explicit FunctionPattern(std::shared_ptr<const ScalarField> function)
+      : function_(std::move(function)) {}
+  double base_value(const Vec3& p, const PatternContext&) const override {
+    const double v = function_->value(p);
+    return v > 1 ? std::fmod(v, 1.0) : v;
+  }
+
+ private:
+  std::shared_ptr<const ScalarField> function_;
+};
+
 }  // namespace
 
 std::unique_ptr<const BasePattern> make_object(const PatternNode& node,
                                                const PatternSettings& settings) {
   if (!settings.services) throw NotSupported("the pattern 'object' here", node.position);
   return std::make_unique<ObjectPattern>(settings.services->inside_test(node.object));
+}
+
+std::unique_ptr<const BasePattern> make_pigment_pattern(const PatternNode& node,
+                                                        const PatternSettings& settings) {
+  if (!settings.services) throw NotSupported("pigment_pattern here", node.position);
+  return std::make_unique<PigmentPattern>(settings.services->grey_field(node.pigment));
+}
+
+std::unique_ptr<const BasePattern> make_function(const PatternNode& node,
+                                                 const PatternSettings&) {
+  return std::make_unique<FunctionPattern>(node.function->compiled);
 }
 
 }  // namespace durer
