@@ -31,6 +31,7 @@ struct ParserLimits {
 struct WritePermissions {
   bool anywhere = false;
   std::string output_folder;  // besides the current folder; empty: none
+  std::vector<std::string> folders;  // further ones that the user allows
 };
 
 struct ParseOptions {

@@ -48,7 +48,8 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                         const std::atomic<bool>& stop) {
   const PixelSampler sampler(scene, camera, integrator);
   const SampleContrast contrast(scene.scene, options);
-  const std::vector<PixelWindow> blocks = blocks_of(options);
+  std::vector<PixelWindow> blocks = blocks_of(options);
+  std::erase_if(blocks, [&](const PixelWindow& block) { return !observer.block_wanted(block); });
 
   auto render_block = [&](const PixelWindow& block, RenderStatistics& statistics) {
     if (stop.load(std::memory_order_relaxed)) return;

@@ -16,6 +16,9 @@ namespace durer {
 class RenderObserver {
  public:
   virtual ~RenderObserver() = default;
+  // False: the block is in the framebuffer already (a continued render). Asked before the first
+  // block is rendered, from one thread.
+  virtual bool block_wanted(const PixelWindow&) { return true; }
   virtual void block_done(const PixelWindow& block) = 0;
 };
 

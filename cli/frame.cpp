@@ -1,0 +1,271 @@
+#include "cli/frame.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+
+#include "cli/interrupt.h"
+#include "cli/output_name.h"
+#include "cli/picture_file.h"
+#include "cli/progress.h"
+#include "cli/render_watch.h"
+#include "parser/parse_scene.h"
+#include "tracer/sampling/render.h"
+#include "tracer/scene/not_supported.h"
+#include "tracer/shading/whitted.h"
+
+namespace durer {
+namespace {
+
+// Wall seconds since the last call.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+ParseOptions parse_options(const Options& options, const FrameSettings& frame, Console& console) {
+  ParseOptions parse;
+  parse.input_file = frame.scene_path;
+  parse.library_paths = options.library_paths;
+  parse.include_header = options.include_header;
+  parse.clock = frame.clock;
+  parse.clock_given = frame.clock_given;
+  parse.image_width = options.render.width;
+  parse.image_height = options.render.height;
+  const Animation& animation = options.animation;
+  if (animation.on) {
+    parse.frame_number = frame.number;
+    parse.initial_frame = animation.first;
+    parse.final_frame = animation.last;
+    parse.initial_clock = animation.initial_clock;
+    parse.final_clock = animation.final_clock;
+    parse.clock_delta = animation.clock_delta;
+  }
+  parse.declares = options.declares;
+  parse.version = options.language_version;
+  parse.output_alpha = options.output_alpha;
+  if (options.max_loop_turns > 0) {
+    parse.limits.max_loop_turns = static_cast<uint64_t>(options.max_loop_turns);
+  }
+  if (options.max_array_elements > 0) {
+    parse.limits.max_array_elements = static_cast<uint64_t>(options.max_array_elements);
+  }
+  parse.writes.output_folder = folder_of(options.output_name);
+  parse.writes.folders = options.writable_folders;
+  parse.sink = &console;
+  return parse;
+}
+
+bool exists_and_not_empty(const std::string& path) {
+  struct stat status;
+  return stat(path.c_str(), &status) == 0 && status.st_size > 0;
+}
+
+// All that a block's pixels depend on, as far as this command knows it.
+std::string state_identity(const Options& options, const FrameSettings& frame) {
+  const RenderOptions& r = options.render;
+  struct stat scene {};
+  stat(frame.scene_path.c_str(), &scene);
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "%dx%d window %d %d %d %d quality %d integrator %d antialiasing %d %d %.9g %d %.9g "
+                "%.9g block %d alpha %d clock %.9g frame %d scene %lld %lld",
+                r.width, r.height, r.window.left, r.window.top, r.window.right, r.window.bottom,
+                r.quality, static_cast<int>(r.integrator), static_cast<int>(r.supersampling),
+                r.grid_samples, r.antialias_threshold, r.antialias_depth, r.jitter_amount,
+                r.antialias_gamma, r.block_size, r.output_alpha ? 1 : 0, frame.clock, frame.number,
+                static_cast<long long>(scene.st_size), static_cast<long long>(scene.st_mtime));
+  return text;
+}
+
+class FrameRenderer {
+ public:
+  FrameRenderer(const Options& options, const FrameSettings& frame, Console& console,
+                RunStatistics& run)
+      : options_(options), frame_(frame), console_(console), run_(run) {}
+
+  FrameOutcome render() {
+    parse();
+    if (options_.parse_only) {
+      run_.frames.push_back(statistics_);
+      report_reading();
+      return FrameOutcome::done;
+    }
+    if (!options_.clockless_animation || scene_->cameras.size() < 2) {
+      return render_camera(*scene_->camera, frame_.suffix);
+    }
+    // One picture per camera, numbered like frames.
+    const size_t digits = std::to_string(scene_->cameras.size()).size();
+    FrameOutcome outcome = FrameOutcome::done;
+    for (size_t i = 0; i < scene_->cameras.size() && outcome != FrameOutcome::stopped; ++i) {
+      const std::string number = std::to_string(i + 1);
+      outcome = render_camera(*scene_->cameras[i], std::string(digits - number.size(), '0') + number);
+    }
+    return outcome;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& text) {
+    console_.line(Stream::fatal, "durer: " + text);
+    throw FrameFailure();
+  }
+
+  void parse() {
+    Stopwatch watch;
+    const int warnings_before = console_.warnings();
+    ParseResult result = parse_scene(parse_options(options_, frame_, console_));
+    if (!result.scene) {
+      if (result.failure) console_.diagnostic(*result.failure);
+      throw FrameFailure();
+    }
+    scene_ = std::move(result.scene);
+    statistics_.frame = frame_.number;
+    statistics_.objects = scene_->objects.size();
+    statistics_.warnings = console_.warnings() - warnings_before;
+    statistics_.parse_seconds = watch.lap();
+  }
+
+  void report_reading() {
+    console_.line(Stream::render,
+                  frame_.scene_path + ": no mistakes found, " +
+                      std::to_string(statistics_.warnings) + " warnings, " +
+                      std::to_string(statistics_.objects) + " objects (" +
+                      duration_text(statistics_.parse_seconds) + ")");
+  }
+
+  // Fails before any work is done if the picture could not be written at its end.
+  void check_output(const std::string& path) {
+    const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
+    struct stat status;
+    if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
+      fail("cannot write '" + path + "': it is a folder");
+    }
+    if (access(folder.c_str(), W_OK) != 0) {
+      fail("cannot write '" + path + "': " + std::strerror(errno));
+    }
+  }
+
+  FrameOutcome render_camera(const CameraNode& camera_node, const std::string& suffix) {
+    Stopwatch watch;
+    const bool to_stream = is_standard_stream(options_.output_name);
+    const std::string path =
+        to_stream ? options_.output_name
+                  : output_path(options_.input_file, options_.output_name, options_.file_type, suffix);
+    const bool to_file = options_.output_to_file && !to_stream;
+    if (to_file && options_.continue_trace && exists_and_not_empty(path)) {
+      console_.line(Stream::render, path + " is there already; nothing is rendered");
+      return FrameOutcome::already_there;
+    }
+    if (to_file) check_output(path);
+
+    std::unique_ptr<World> world = World::build(
+        *scene_, {options_.bounding_threshold, options_.remove_bounds, options_.split_unions});
+    statistics_.lights = world->lights().size();
+    const ShadingScene scene(*scene_, std::move(world),
+                             {options_.render.quality, options_.output_alpha});
+    const Camera camera(camera_node, options_.render.width, options_.render.height);
+    const WhittedIntegrator integrator(scene, options_.render.integrator == IntegratorKind::raycast
+                                                  ? WhittedIntegrator::Depth::raycast
+                                                  : WhittedIntegrator::Depth::recursive);
+    statistics_.build_seconds = watch.lap();
+
+    Framebuffer picture(options_.render.width, options_.render.height);
+    std::optional<StateFile> state;
+    if (to_file) {
+      state.emplace(state_path(path), state_identity(options_, frame_), picture);
+      if (options_.continue_trace && state->load() == 0) {
+        console_.line(Stream::render, "nothing to continue: the picture is rendered from its start");
+      }
+      // No old picture stays under the name of one that is not finished.
+      std::remove(path.c_str());
+    }
+    if (!render_blocks(scene, camera, integrator, path, state ? &*state : nullptr, picture)) {
+      return FrameOutcome::stopped;
+    }
+    statistics_.render_seconds = watch.lap();
+
+    if (options_.output_to_file) {
+      try {
+        write_picture(path, picture, options_, *scene_);
+      } catch (const std::exception& error) {
+        fail("cannot write the picture: " + std::string(error.what()));
+      }
+      statistics_.output = path;
+      if (state) state->remove();
+    }
+    statistics_.write_seconds = watch.lap();
+    report(path);
+    run_.frames.push_back(statistics_);
+    return FrameOutcome::done;
+  }
+
+  // False: stopped by a signal.
+  bool render_blocks(const ShadingScene& scene, const Camera& camera,
+                     const Integrator& integrator, const std::string& path, StateFile* state,
+                     Framebuffer& picture) {
+    const PixelWindow& window = options_.render.window;
+    const int64_t pixels =
+        static_cast<int64_t>(window.right - window.left) * (window.bottom - window.top);
+    Progress progress(console_, pixels, options_.verbose);
+    RenderWatch watch(progress, state, window);
+    if (options_.preview_interval > 0 && state) {
+      watch.preview(picture, options_.preview_interval, [&](const Framebuffer& finished) {
+        write_picture(path, finished, options_, *scene_);
+      });
+    }
+    begin_stoppable();
+    statistics_.render =
+        durer::render(scene, camera, integrator, options_.render, picture, watch, stop_requested());
+    end_stoppable();
+    progress.finish();
+    if (!stop_requested()) return true;
+    if (state) {
+      // What the preview wrote is no finished picture.
+      std::remove(path.c_str());
+      if (state->flush()) {
+        console_.line(Stream::fatal, "stopped; the finished blocks are kept in " +
+                                         state_path(path) + ", add +C to go on");
+      } else {
+        console_.line(Stream::fatal, "stopped; " + state_path(path) + " could not be written");
+      }
+    }
+    return false;
+  }
+
+  void report(const std::string& path) {
+    const std::string times = "(" + duration_text(statistics_.parse_seconds) + " reading, " +
+                              duration_text(statistics_.build_seconds) + " building, " +
+                              duration_text(statistics_.render_seconds) + " rendering)";
+    console_.line(Stream::statistic, statistics_text(statistics_));
+    console_.line(Stream::render,
+                  (statistics_.output.empty() ? "Rendered, not written" : "Picture: " + path) + " " +
+                      times);
+  }
+
+  const Options& options_;
+  const FrameSettings& frame_;
+  Console& console_;
+  RunStatistics& run_;
+  std::unique_ptr<Scene> scene_;
+  FrameStatistics statistics_;
+};
+
+}  // namespace
+
+FrameOutcome render_frame(const Options& options, const FrameSettings& frame, Console& console,
+                          RunStatistics& run) {
+  return FrameRenderer(options, frame, console, run).render();
+}
+
+}  // namespace durer

@@ -1,0 +1,97 @@
+#include "cli/statistics.h"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+
+namespace durer {
+namespace {
+
+std::string json_string(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    char escape[8];
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
+      out += escape;
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+std::string json_number(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string frame_json(const FrameStatistics& frame) {
+  const RayCounts& rays = frame.render.rays;
+  std::string out = "    {\"frame\": " + std::to_string(frame.frame);
+  out += ", \"output\": " + json_string(frame.output);
+  out += ", \"warnings\": " + std::to_string(frame.warnings);
+  out += ", \"objects\": " + std::to_string(frame.objects);
+  out += ", \"lights\": " + std::to_string(frame.lights);
+  out += ",\n     \"parse_seconds\": " + json_number(frame.parse_seconds);
+  out += ", \"build_seconds\": " + json_number(frame.build_seconds);
+  out += ", \"render_seconds\": " + json_number(frame.render_seconds);
+  out += ", \"write_seconds\": " + json_number(frame.write_seconds);
+  out += ",\n     \"samples\": " + std::to_string(frame.render.samples);
+  out += ", \"rays\": {\"primary\": " + std::to_string(rays.primary);
+  out += ", \"reflected\": " + std::to_string(rays.reflected);
+  out += ", \"refracted\": " + std::to_string(rays.refracted);
+  out += ", \"shadow\": " + std::to_string(rays.shadow);
+  out += ", \"total_internal\": " + std::to_string(rays.total_internal) + "}}";
+  return out;
+}
+
+// 1234567 as 1 234 567.
+std::string grouped(uint64_t n) {
+  std::string digits = std::to_string(n);
+  for (size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ' ');
+  return digits;
+}
+
+}  // namespace
+
+double process_cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+         static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1e-6;
+}
+
+long process_peak_kilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+std::string statistics_json(const RunStatistics& run) {
+  std::string out = "{\n  \"program\": \"durer " DURER_VERSION "\",\n";
+  out += "  \"scene\": " + json_string(run.scene) + ",\n";
+  out += "  \"width\": " + std::to_string(run.width) + ",\n";
+  out += "  \"height\": " + std::to_string(run.height) + ",\n";
+  out += "  \"threads\": " + std::to_string(run.threads) + ",\n";
+  out += "  \"cpu_seconds\": " + json_number(process_cpu_seconds()) + ",\n";
+  out += "  \"peak_memory_kilobytes\": " + std::to_string(process_peak_kilobytes()) + ",\n";
+  out += "  \"frames\": [\n";
+  for (size_t i = 0; i < run.frames.size(); ++i) {
+    out += frame_json(run.frames[i]) + (i + 1 < run.frames.size() ? ",\n" : "\n");
+  }
+  return out + "  ]\n}\n";
+}
+
+std::string statistics_text(const FrameStatistics& frame) {
+  const RayCounts& rays = frame.render.rays;
+  return grouped(frame.render.samples) + " samples; rays: " + grouped(rays.primary) +
+         " primary, " + grouped(rays.reflected) + " reflected, " + grouped(rays.refracted) +
+         " refracted, " + grouped(rays.shadow) + " shadow";
+}
+
+}  // namespace durer
