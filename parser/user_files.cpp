@@ -87,7 +87,8 @@ bool Parser::State::may_write(const std::string& path) const {
   };
   const fs::path current = fs::current_path(failed);
   if (!failed && below(current)) return true;
-  return !options.writes.output_folder.empty() && below(options.writes.output_folder);
+  if (!options.writes.output_folder.empty() && below(options.writes.output_folder)) return true;
+  return std::any_of(options.writes.folders.begin(), options.writes.folders.end(), below);
 }
 
 void Parser::State::do_fopen() {
