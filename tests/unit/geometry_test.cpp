@@ -250,6 +250,62 @@ TEST(World, GivesCoincidentSurfacesToTheFirst) {
   EXPECT_EQ(surface.normal, -kZ);
 }
 
+// A wavy sheet, small enough for our hierarchy and large enough for Embree.
+TEST(Meshes, AreHitOnTheirTrianglesAndNeverBetweenThem) {
+  for (const int side : {20, 60}) {
+    MeshNode mesh;
+    for (int j = 0; j <= side; ++j) {
+      for (int i = 0; i <= side; ++i) {
+        const float x = 2.0f * static_cast<float>(i) / static_cast<float>(side) - 1;
+        const float z = 2.0f * static_cast<float>(j) / static_cast<float>(side) - 1;
+        mesh.vertices.push_back({x, 0.2f * std::sin(5 * x) * std::cos(4 * z), z});
+      }
+    }
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        const int v = j * (side + 1) + i;
+        mesh.face_vertices.push_back({v, v + 1, v + side + 1});
+        mesh.face_vertices.push_back({v + 1, v + side + 2, v + side + 1});
+      }
+    }
+    const std::vector<glm::vec3> vertices = mesh.vertices;
+    const auto faces = mesh.face_vertices;
+    const auto query = ObjectQuery::build(object(mesh), 370);
+    const auto moved = ObjectQuery::build(object(mesh, {Transform::scaling(Vec3(20))}), 370);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-0.95, 0.95);
+    for (int i = 0; i < 2000; ++i) {
+      const auto& face = faces[random() % faces.size()];
+      const Vec3 a(vertices[face[0]]), b(vertices[face[1]]), c(vertices[face[2]]);
+      // Aimed at an inner point, a vertex or an edge.
+      const Vec3 target = i % 3 == 0 ? a : (i % 3 == 1 ? 0.5 * (a + b) : (a + b + c) / 3.0);
+      if (std::abs(target.x) > 0.95 || std::abs(target.z) > 0.95) continue;
+      const Vec3 origin = target + Vec3(0.1 * uniform(random), 3, 0.1 * uniform(random));
+      Vec3 p, n;
+      ASSERT_TRUE(query->trace(origin, normalize_or_zero(target - origin), p, n));
+      EXPECT_NEAR(p.y, target.y, 1e-6);
+      ASSERT_TRUE(moved->trace(20.0 * origin, normalize_or_zero(target - origin), p, n));
+      EXPECT_NEAR(p.y, 20 * target.y, 2e-5);
+      // From the surface on: nothing, the sheet is met once from above.
+      EXPECT_FALSE(query->trace(target, kY, p, n));
+    }
+  }
+}
+
+TEST(Meshes, HaveAnInsideOnlyWithAVector) {
+  MeshNode mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.face_vertices = {{1, 2, 3}, {0, 1, 2}, {0, 1, 3}, {0, 2, 3}};
+  expect_hit(object(mesh), {0.2, 0.2, 3}, -kZ, {0.2, 0.2, 0.6},
+             Vec3(-0.5773502692, -0.5773502692, -0.5773502692));
+  EXPECT_FALSE(ObjectQuery::build(object(mesh), 370)->has_inside());
+  mesh.inside_vector = Vec3(0.3, 0.5, 0.7);
+  const auto solid = ObjectQuery::build(object(mesh), 370);
+  EXPECT_TRUE(solid->has_inside());
+  EXPECT_TRUE(solid->inside({0.1, 0.1, 0.1}));
+  EXPECT_FALSE(solid->inside({0.5, 0.5, 0.5}));
+}
+
 TEST(Polynomials, SturmFindsSeparateRoots) {
   // (x-1)(x-2)(x-3)(x-4)(x-5)
   const double c[] = {1, -15, 85, -225, 274, -120};

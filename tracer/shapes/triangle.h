@@ -26,11 +26,13 @@ inline bool needs_exchange(const Vec3& p1, const Vec3& p2, const Vec3& p3, int a
   return (p2[a] - p3[a]) * (p2[b] - p1[b]) < (p2[b] - p3[b]) * (p2[a] - p1[a]);
 }
 
-// The point is within all three edges, borders included.
-inline bool covers(const Vec3& p1, const Vec3& p2, const Vec3& p3, int a, int b, double s,
-                   double t) {
+// The point is within all three edges, borders included, and as much beyond as `error`, by which
+// its coordinates may be off.
+inline bool covers(const Vec3& p1, const Vec3& p2, const Vec3& p3, int a, int b, double s, double t,
+                   double error = 0) {
   const auto keeps = [&](const Vec3& from, const Vec3& to) {
-    return (to[a] - s) * (to[b] - from[b]) >= (to[b] - t) * (to[a] - from[a]);
+    const double across = to[a] - from[a], up = to[b] - from[b];
+    return (to[a] - s) * up - (to[b] - t) * across >= -error * (std::abs(across) + std::abs(up));
   };
   return keeps(p1, p2) && keeps(p2, p3) && keeps(p3, p1);
 }

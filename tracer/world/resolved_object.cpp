@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tracer/intersect/mesh.h"
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/quadric.h"
 
@@ -289,7 +290,12 @@ PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
   if (changed) return compile_shape(own, context);
   const auto known = shapes_.find(object.shape.get());
   if (known != shapes_.end()) return known->second;
-  PlacedShape placed = compile_shape(*object.shape, context);
+  PlacedShape placed;
+  if (std::holds_alternative<MeshNode>(*object.shape)) {
+    placed.shape = compile_mesh(object.shape);
+  } else {
+    placed = compile_shape(*object.shape, context);
+  }
   // Only what is dear to compile is kept: most shapes are used once.
   if (std::holds_alternative<MeshNode>(*object.shape) ||
       std::holds_alternative<HeightFieldNode>(*object.shape) ||

@@ -1,0 +1,140 @@
+#include "tracer/intersect/embree_mesh.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace durer {
+namespace {
+
+// Single-threaded: the command's thread count holds for every phase.
+struct Device {
+  RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
+  ~Device() { rtcReleaseDevice(device); }
+};
+
+struct VisitContext {
+  RTCIntersectContext context;  // first: Embree hands back a pointer to it
+  TriangleVisitor visitor;
+  void* data;
+};
+
+// Hands every candidate over and declines it, so that the walk goes on.
+void decline(const RTCFilterFunctionNArguments* args) {
+  auto* context = reinterpret_cast<VisitContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    context->visitor(context->data, RTCHitN_primID(args->hit, args->N, i));
+    args->valid[i] = 0;
+  }
+}
+
+RTCRayHit ray_from(const Vec3& origin, const Vec3& direction, float near, float far) {
+  RTCRayHit ray;
+  ray.ray.org_x = static_cast<float>(origin.x);
+  ray.ray.org_y = static_cast<float>(origin.y);
+  ray.ray.org_z = static_cast<float>(origin.z);
+  ray.ray.dir_x = static_cast<float>(direction.x);
+  ray.ray.dir_y = static_cast<float>(direction.y);
+  ray.ray.dir_z = static_cast<float>(direction.z);
+  ray.ray.tnear = near;
+  ray.ray.tfar = far;
+  ray.ray.time = 0;
+  ray.ray.mask = ~0u;
+  ray.ray.id = 0;
+  ray.ray.flags = 0;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return ray;
+}
+
+}  // namespace
+
+struct EmbreeMesh::Scene {
+  std::shared_ptr<Device> device = std::make_shared<Device>();
+  RTCScene scene = rtcNewScene(device->device);
+  ~Scene() { rtcReleaseScene(scene); }
+};
+
+EmbreeMesh::EmbreeMesh(const std::vector<glm::vec3>& vertices,
+                       const std::vector<std::array<int32_t, 3>>& faces)
+    : scene_(std::make_unique<Scene>()) {
+  for (const auto& face : faces) {
+    for (const int32_t v : face) bounds_.extend(Vec3(vertices[v]));
+  }
+  center_ = bounds_.center();
+  const RTCGeometry geometry =
+      rtcNewGeometry(scene_->device->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* points = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), vertices.size()));
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      points[3 * i + axis] = static_cast<float>(static_cast<double>(vertices[i][axis]) -
+                                                center_[axis]);
+    }
+  }
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, faces.data(), 0,
+                             3 * sizeof(int32_t), faces.size());
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_->scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcSetSceneFlags(scene_->scene, static_cast<RTCSceneFlags>(
+                                      RTC_SCENE_FLAG_ROBUST |
+                                      RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  rtcCommitScene(scene_->scene);
+}
+
+EmbreeMesh::~EmbreeMesh() = default;
+
+bool EmbreeMesh::approach(const Vec3& origin, const Vec3& direction, double& advance) const {
+  const Vec3 size = bounds_.size();
+  const double margin = 1e-5 * std::max({size.x, size.y, size.z});
+  double enter = 0, leave = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = bounds_.min[axis] - margin, high = bounds_.max[axis] + margin;
+    const double d = direction[axis], o = origin[axis];
+    if (d == 0) {
+      if (o < low || o > high) return false;
+      continue;
+    }
+    const double a = (low - o) / d, b = (high - o) / d;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  advance = enter;
+  return enter <= leave;
+}
+
+bool EmbreeMesh::nearest(const Vec3& origin, const Vec3& direction, double min_depth,
+                         double max_depth, uint32_t& face) const {
+  double advance;
+  if (!approach(origin, direction, advance) || advance > max_depth) return false;
+  const float near = static_cast<float>(std::max(0.0, min_depth - advance) * (1 - 1e-6));
+  const float far = static_cast<float>((max_depth - advance) * (1 + 1e-6));
+  RTCRayHit ray = ray_from(origin + advance * direction - center_, direction, near, far);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene_->scene, &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  face = ray.hit.primID;
+  return true;
+}
+
+void EmbreeMesh::visit_all(const Vec3& origin, const Vec3& direction, double max_depth,
+                           TriangleVisitor visitor, void* data) const {
+  double advance;
+  if (!approach(origin, direction, advance) || advance > max_depth) return;
+  RTCRayHit ray = ray_from(origin + advance * direction - center_, direction, 0,
+                           static_cast<float>((max_depth - advance) * (1 + 1e-6)));
+  VisitContext context;
+  rtcInitIntersectContext(&context.context);
+  context.context.filter = decline;
+  context.visitor = visitor;
+  context.data = data;
+  rtcIntersect1(scene_->scene, &context.context, &ray);
+}
+
+}  // namespace durer

@@ -1,0 +1,261 @@
+#include "tracer/intersect/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/intersect/bvh.h"
+#include "tracer/intersect/embree_mesh.h"
+#include "tracer/shapes/triangle.h"
+
+namespace durer {
+namespace {
+
+// From this many triangles on Embree's hierarchy pays for its start.
+constexpr size_t kEmbreeThreshold = 3000;
+constexpr double kLeastDepth = 1e-6;  // in normalised local space
+constexpr float kSameNormal = 1e-10f;
+
+class Mesh final : public Shape {
+ public:
+  explicit Mesh(std::shared_ptr<const ShapeNode> node)
+      : node_(std::move(node)), mesh_(std::get<MeshNode>(*node_)) {
+    const size_t count = mesh_.face_vertices.size();
+    std::vector<Bounds> boxes;
+    const bool own = count < kEmbreeThreshold;
+    for (const auto& face : mesh_.face_vertices) {
+      Bounds box;
+      for (const int32_t v : face) box.extend(Vec3(mesh_.vertices[v]));
+      bounds_.extend(box);
+      if (own) boxes.push_back(box);
+    }
+    if (own) {
+      bvh_.build(boxes);
+    } else {
+      embree_ = std::make_unique<EmbreeMesh>(mesh_.vertices, mesh_.face_vertices);
+    }
+    if (mesh_.inside_vector) inside_direction_ = normalize_or_zero(*mesh_.inside_vector);
+    is_solid_ = inside_direction_ != Vec3(0);
+    all_textured_ = !mesh_.textures.empty() && mesh_.face_textures.size() == count &&
+                    std::all_of(mesh_.face_textures.begin(), mesh_.face_textures.end(),
+                                [](const auto& t) { return t[0] >= 0; });
+  }
+
+  Bounds bounds() const override { return bounds_; }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    const LocalRay local(ray);
+    for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
+      const double depth = depth_of(local, face, is_sure);
+      if (depth >= 0) out.push(depth * local.scale, face);
+    });
+  }
+
+  bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
+    const LocalRay local(ray);
+    const double least = std::max(kLeastDepth, kLeastHitDepth * local.length);
+    double best = std::min(ray.t_max * local.length, kGreatestDepth * (1 + 1e-15));
+    bool found = false;
+    const auto consider = [&](uint32_t face, double depth) {
+      if (depth < least || depth > best || (depth == best && (!found || face > hit.part))) return;
+      best = depth;
+      hit.part = face;
+      found = true;
+    };
+    if (embree_) {
+      uint32_t face;
+      // Embree's nearest triangle, unless it turns out to be too near to count.
+      if (!embree_->nearest(ray.origin, local.direction, least, best, face)) return false;
+      const double depth = plane_depth(local, face);
+      if (depth >= least && depth < best) {
+        best = depth;
+        hit.part = face;
+        found = true;
+      }
+    }
+    if (!found) {
+      for_each_candidate(local, best, [&](uint32_t face, bool is_sure, double& limit) {
+        const double depth = depth_of(local, face, is_sure);
+        if (depth >= 0) consider(face, depth);
+        limit = best;
+      });
+    }
+    if (!found) return false;
+    hit.t = best * local.scale;
+    return hit.t < ray.t_max && hit.t >= kLeastHitDepth;
+  }
+
+  bool inside(const Vec3& point) const override {
+    if (!is_solid_) return false;
+    ShapeRay ray{point, inside_direction_, true, true, kHugeDepth};
+    const LocalRay local(ray);
+    int count = 0;
+    for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
+      count += depth_of(local, face, is_sure) >= 0;
+    });
+    return count % 2 != 0;
+  }
+
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
+    const Corners c = corners(hit.part);
+    if (hit.part < mesh_.face_normals.size()) {
+      const auto& n = mesh_.face_normals[hit.part];
+      if (n[0] >= 0 && n[1] >= 0 && n[2] >= 0) {
+        const glm::vec3 &n1 = mesh_.normals[n[0]], &n2 = mesh_.normals[n[1]],
+                        &n3 = mesh_.normals[n[2]];
+        if (!same(n1, n2) || !same(n1, n3)) {
+          double u, v;
+          smooth_weights(c.p[0], c.p[1], c.p[2], p, u, v);
+          const Vec3 a(n1), b(n2), d(n3);
+          if (u < 1e-10) return a;
+          return a + u * (b - a + v * (d - b));
+        }
+      }
+    }
+    return cross(c.p[2] - c.p[0], c.p[1] - c.p[0]);
+  }
+
+  Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit& hit) const override {
+    if (hit.part >= mesh_.face_uv.size()) {
+      return mesh_.uv.size() == 1 ? mesh_.uv[0] : Vec2(0);
+    }
+    const auto& index = mesh_.face_uv[hit.part];
+    if (index[0] < 0) return Vec2(0);
+    double w[3];
+    barycentric(corners(hit.part), p, w);
+    return w[0] * mesh_.uv[index[0]] + w[1] * mesh_.uv[index[1]] + w[2] * mesh_.uv[index[2]];
+  }
+
+  bool is_patch() const override { return !is_solid_; }
+
+  const std::vector<TexturePtr>* own_textures() const override {
+    return mesh_.textures.empty() ? nullptr : &mesh_.textures;
+  }
+  int texture_shares(const Vec3& p, const ShapeHit& hit, ShapeTexture* shares,
+                     int) const override {
+    if (hit.part >= mesh_.face_textures.size()) {
+      shares[0] = {-1, 1.0f};
+      return 1;
+    }
+    const auto& t = mesh_.face_textures[hit.part];
+    if (t[0] < 0 || t[1] < 0 || t[2] < 0 || (t[0] == t[1] && t[1] == t[2])) {
+      shares[0] = {t[0], 1.0f};
+      return 1;
+    }
+    double w[3];
+    barycentric(corners(hit.part), p, w);
+    double sum = 0;
+    for (double& weight : w) {
+      weight = std::clamp(weight, 0.0, 1.0);
+      sum += weight;
+    }
+    for (int i = 0; i < 3; ++i) shares[i] = {t[i], static_cast<float>(w[i] / sum)};
+    return 3;
+  }
+  bool needs_object_texture() const override { return !all_textured_; }
+
+ private:
+  struct LocalRay {
+    explicit LocalRay(const ShapeRay& ray) : origin(ray.origin) {
+      length = ray.unit_direction ? 1 : durer::length(ray.direction);
+      scale = 1 / length;
+      direction = ray.direction * scale;
+    }
+    Vec3 origin, direction;
+    double length, scale;
+  };
+  struct Corners {
+    Vec3 p[3];
+  };
+
+  Corners corners(uint32_t face) const {
+    const auto& v = mesh_.face_vertices[face];
+    return {{Vec3(mesh_.vertices[v[0]]), Vec3(mesh_.vertices[v[1]]), Vec3(mesh_.vertices[v[2]])}};
+  }
+  static bool same(const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 d = a - b;
+    return dot(d, d) <= kSameNormal;
+  }
+  static void barycentric(const Corners& c, const Vec3& p, double* w) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 &own = c.p[i], &a = c.p[(i + 1) % 3], &b = c.p[(i + 2) % 3];
+      // From the opposite side to this corner, perpendicular to that side.
+      const Vec3 side = normalize_or_zero(b - a);
+      const Vec3 up = (own - a) - dot(own - a, side) * side;
+      w[i] = 1 + dot(p - own, up) / dot(up, up);
+    }
+  }
+
+  double plane_depth(const LocalRay& ray, uint32_t face) const {
+    const Corners c = corners(face);
+    const Vec3 n = cross(c.p[2] - c.p[0], c.p[1] - c.p[0]);
+    return dot(n, c.p[0] - ray.origin) / dot(n, ray.direction);
+  }
+
+  // Depth in normalised local space, negative for none. `is_sure`: the triangle is known to be met,
+  // only its depth is asked (shared edges must not leak).
+  double depth_of(const LocalRay& ray, uint32_t face, bool is_sure) const {
+    const Corners c = corners(face);
+    const Vec3 cross_normal = cross(c.p[2] - c.p[0], c.p[1] - c.p[0]);
+    const double size = length(cross_normal);
+    if (size == 0) return -1;
+    const Vec3 n = cross_normal / size;
+    const double slope = dot(n, ray.direction);
+    if (std::abs(slope) < kGeometryEpsilon) return -1;
+    const double depth = -(dot(n, ray.origin) - dot(n, c.p[0])) / slope;
+    if (!(depth >= kLeastDepth && depth <= kGreatestDepth)) return -1;
+    if (is_sure) return depth;
+    int a, b;
+    projection_axes(n, a, b);
+    const bool exchange = needs_exchange(c.p[0], c.p[1], c.p[2], a, b);
+    const double s = ray.origin[a] + depth * ray.direction[a];
+    const double t = ray.origin[b] + depth * ray.direction[b];
+    // Neighbours compute the point on their shared edge each with its own rounding.
+    const double error =
+        1e-15 * (std::abs(ray.origin[a]) + std::abs(ray.origin[b]) + depth);
+    return covers(c.p[exchange ? 1 : 0], c.p[exchange ? 0 : 1], c.p[2], a, b, s, t, error) ? depth
+                                                                                          : -1;
+  }
+
+  // visit(face, is_sure, limit) for triangles that the ray may meet before max_depth.
+  template <typename Visit>
+  void for_each_candidate(const LocalRay& ray, double max_depth, Visit&& visit) const {
+    if (embree_) {
+      struct Context {
+        Visit& visit;
+        double limit;
+      } context{visit, max_depth};
+      embree_->visit_all(
+          ray.origin, ray.direction, max_depth,
+          [](void* data, uint32_t face) {
+            auto& c = *static_cast<Context*>(data);
+            c.visit(face, true, c.limit);
+          },
+          &context);
+      return;
+    }
+    bvh_.visit_ray(
+        ray.origin, ray.direction, max_depth,
+        [](void* data, uint32_t face, double& limit) {
+          (*static_cast<std::remove_reference_t<Visit>*>(data))(face, false, limit);
+          return false;
+        },
+        &visit);
+  }
+
+  std::shared_ptr<const ShapeNode> node_;
+  const MeshNode& mesh_;
+  Bvh bvh_;
+  std::unique_ptr<EmbreeMesh> embree_;
+  Bounds bounds_;
+  Vec3 inside_direction_{0};
+  bool is_solid_ = false;
+  bool all_textured_ = false;
+};
+
+}  // namespace
+
+std::shared_ptr<const Shape> compile_mesh(const std::shared_ptr<const ShapeNode>& node) {
+  return std::make_shared<Mesh>(node);
+}
+
+}  // namespace durer
