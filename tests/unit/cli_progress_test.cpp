@@ -1,0 +1,77 @@
+// The progress bar's text and the state file of interrupted renders.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <string>
+
+#include "cli/console.h"
+#include "cli/progress.h"
+#include "cli/state_file.h"
+#include "cli/statistics.h"
+
+namespace durer {
+namespace {
+
+TEST(CliProgress, BarFitsItsColumns) {
+  for (const int columns : {20, 40, 80, 200}) {
+    for (const double share : {0.0, 0.3, 1.0}) {
+      const std::string bar = progress_bar(share, 100, columns);
+      if (columns >= 40) EXPECT_LT(bar.size(), static_cast<size_t>(columns)) << bar;
+    }
+  }
+  EXPECT_EQ(progress_bar(0.5, 2, 60),
+            " 50 % [###########           ] 2.0 s, about 2.0 s left");
+}
+
+TEST(CliProgress, Durations) {
+  EXPECT_EQ(duration_text(0.012), "0.01 s");
+  EXPECT_EQ(duration_text(1.25), "1.2 s");
+  EXPECT_EQ(duration_text(42.9), "42 s");
+  EXPECT_EQ(duration_text(200), "3 min 20 s");
+  EXPECT_EQ(duration_text(7500), "2 h 5 min");
+}
+
+TEST(CliStateFile, ContinuesWhatWasFinished) {
+  const std::string path =
+      ::testing::TempDir() + "durer_state_" + std::to_string(getpid()) + ".pov-state";
+  Framebuffer first(8, 8);
+  for (int i = 0; i < 64; ++i) first.at(i % 8, i / 8).color = RGB(static_cast<float>(i));
+  {
+    StateFile state(path, "test", first);
+    EXPECT_EQ(state.load(), 0);
+    state.block_done({0, 0, 4, 4});
+    state.block_done({4, 4, 8, 8});
+    EXPECT_TRUE(state.flush());
+  }
+  Framebuffer second(8, 8);
+  {
+    StateFile state(path, "test", second);
+    EXPECT_EQ(state.load(), 32);
+    EXPECT_TRUE(state.has({0, 0, 4, 4}));
+    EXPECT_FALSE(state.has({4, 0, 8, 4}));
+    EXPECT_EQ(second.at(3, 3).color.r, 27.0f);
+    EXPECT_EQ(second.at(5, 6).color.r, 53.0f);
+    EXPECT_EQ(second.at(5, 1).color.r, 0.0f);
+  }
+  {
+    // A block that was cut off is rendered again, and later ones go behind the good ones.
+    ASSERT_EQ(truncate(path.c_str(), 0), 0);
+  }
+  Framebuffer third(8, 8);
+  StateFile other(path, "another picture", third);
+  EXPECT_EQ(other.load(), 0);
+  other.remove();
+  EXPECT_NE(access(path.c_str(), F_OK), 0);
+}
+
+TEST(CliStatistics, JsonEscapesNames) {
+  RunStatistics run;
+  run.scene = "a\"b\\c.pov";
+  run.frames.resize(2);
+  const std::string json = statistics_json(run);
+  EXPECT_NE(json.find("\"a\\\"b\\\\c.pov\""), std::string::npos);
+  EXPECT_NE(json.find("\"frames\": [\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace durer
