@@ -20,7 +20,9 @@ std::string time_left(double share, double seconds) {
 std::string progress_bar(double share, double seconds, int columns) {
   char percent[16];
   std::snprintf(percent, sizeof percent, "%3d %% ", static_cast<int>(share * 100));
-  const std::string tail = " " + duration_text(seconds) + time_left(share, seconds);
+  std::string tail = " " + duration_text(seconds);
+  const std::string left = time_left(share, seconds);
+  if (6 + tail.size() + left.size() < static_cast<size_t>(columns)) tail += left;
   const int room = columns - 1 - static_cast<int>(tail.size()) - 6 - 2;
   const int width = std::clamp(room, 0, 40);
   const int filled = static_cast<int>(share * width);
