@@ -2,6 +2,7 @@
 import hashlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import uuid
@@ -127,6 +128,8 @@ def durer(binary, scene, options, kept_picture, cpu_limit=120, nice=10):
     return Picture(path, result.code, result.cpu, result.wall, result.peak_kb, result.timed_out, error)
 
 
+# Our own messages first: a scene may write the word "error" to the console itself.
+OWN_MESSAGE = re.compile(r"\S+:\d+.*(error|not supported yet)")
 ERROR_WORDS = ("not supported yet", "error", "fatal", "cannot", "sanitizer", "terminate")
 
 
@@ -134,7 +137,8 @@ def first_error(text):
     """The first line that tells what is wrong, else the last line."""
     lines = [line.strip() for line in text.replace("\r", "\n").splitlines()
              if line.strip() and "user configuration file" not in line]
-    for line in lines:
-        if any(word in line.lower() for word in ERROR_WORDS):
-            return line[:300]
+    for wanted in (OWN_MESSAGE.search, lambda line: any(word in line.lower() for word in ERROR_WORDS)):
+        for line in lines:
+            if wanted(line):
+                return line[:300]
     return lines[-1][:300] if lines else ""

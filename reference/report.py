@@ -68,13 +68,16 @@ def regressions(old_rows, new_rows):
             if row.key in old and grades.worse(row.grade, old[row.key].grade)]
 
 
+def without_place(error):
+    """An error line without file, line and column: equal for equal mistakes in different scenes."""
+    text = re.sub(r"^\S+\.(pov|inc|ini|mcr)[:\s(]*\d*(:\d+)?\)?[:,]?\s*", "", error, flags=re.I)
+    text = re.sub(r"found '[^']*', which is not declared", "found NAME, which is not declared", text)
+    return re.sub(r"may not write '[^']*'", "may not write FILE", text)[:140]
+
+
 def cause(row):
     """What failed, without the place where it did: failing scenes are grouped by it."""
-    if not row.error:
-        return row.grade
-    text = re.sub(r"^\S+\.(pov|inc|ini|INC|POV)[:\s(]*\d*(:\d+)?\)?[:,]?\s*", "", row.error)
-    text = re.sub(r"'[^']*\.(pov|inc)'", "FILE", text)
-    return f"{row.grade}: {text[:110]}"
+    return f"{row.grade}: {without_place(row.error)}" if row.error else row.grade
 
 
 def summary(rows):
