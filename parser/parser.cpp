@@ -26,6 +26,10 @@ Parser::~Parser() = default;
 const Token& Parser::peek() { return state_->peek(); }
 Token Parser::next() { return state_->next(); }
 bool Parser::accept(Keyword keyword) { return state_->accept(keyword); }
+bool Parser::accept_before_directives(Keyword keyword) {
+  const FlagScope off(state_->directives_live, false);
+  return state_->accept(keyword);
+}
 bool Parser::accept(Symbol symbol) { return state_->accept(symbol); }
 bool Parser::accept_comma() { return state_->accept_comma(); }
 

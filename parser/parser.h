@@ -50,6 +50,9 @@ class Parser {
   // Consume the token if it is this one.
   bool accept(Keyword keyword);
   bool accept(Symbol symbol);
+  // The same without executing directives to get at the token (spec/language.md 4): a `#` or a macro
+  // is then not this keyword.
+  bool accept_before_directives(Keyword keyword);
   // Consume it or stop with an error that says what was expected.
   void expect(Symbol symbol);
   void expect(Keyword keyword);

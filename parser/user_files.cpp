@@ -76,11 +76,11 @@ bool Parser::State::may_write(const std::string& path) const {
   namespace fs = std::filesystem;
   std::error_code failed;
   // Links are followed, so that none leads outside.
-  const fs::path target = fs::weakly_canonical(path, failed);
+  const fs::path target = fs::weakly_canonical(fs::absolute(path), failed);
   if (failed) return false;
   const auto below = [&](const fs::path& folder) {
     std::error_code bad;
-    const fs::path base = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, bad);
+    const fs::path base = fs::weakly_canonical(fs::absolute(folder.empty() ? fs::path(".") : folder), bad);
     if (bad) return false;
     const auto ends = std::mismatch(base.begin(), base.end(), target.begin(), target.end());
     return ends.first == base.end();

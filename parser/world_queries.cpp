@@ -1,9 +1,12 @@
 #include "parser/world_queries.h"
 
+#include <unordered_map>
+
 #include "parser/parser.h"
 #include "tracer/patterns/noise.h"
 #include "tracer/scene/not_supported.h"
 #include "tracer/scene/object.h"
+#include "tracer/world/world.h"
 
 namespace durer {
 namespace {
@@ -12,16 +15,15 @@ class WorldQueries : public SceneQueries {
  public:
   explicit WorldQueries(const Parser& parser) : parser_(parser) {}
 
-  bool trace(const ObjectPtr& object, const Vec3&, const Vec3&, Vec3&, Vec3&) override {
-    throw NotSupported("trace()", object->position);
+  bool trace(const ObjectPtr& object, const Vec3& origin, const Vec3& unit_direction, Vec3& point,
+             Vec3& normal) override {
+    return compiled(object).trace(origin, unit_direction, point, normal);
   }
-  bool inside(const ObjectPtr& object, const Vec3&) override {
-    throw NotSupported("inside()", object->position);
+  bool inside(const ObjectPtr& object, const Vec3& point) override {
+    return compiled(object).inside(point);
   }
-  bool has_inside(const ObjectPtr&) override { return true; }
-  Bounds extents(const ObjectPtr& object) override {
-    throw NotSupported("min_extent() and max_extent()", object->position);
-  }
+  bool has_inside(const ObjectPtr& object) override { return compiled(object).has_inside(); }
+  Bounds extents(const ObjectPtr& object) override { return compiled(object).extents(); }
   bool image_size(const PigmentNode&, Vec2&) override {
     throw NotSupported("max_extent() of a pigment", parser_.position());
   }
@@ -30,7 +32,23 @@ class WorldQueries : public SceneQueries {
   }
 
  private:
+  // An object is compiled once, however often it is asked about (design.md rule 6).
+  const ObjectQuery& compiled(const ObjectPtr& object) {
+    Compiled& entry = compiled_[object.get()];
+    if (!entry.query) {
+      entry.object = object;
+      entry.query = ObjectQuery::build(object, parser_.effective_version());
+    }
+    return *entry.query;
+  }
+
+  struct Compiled {
+    ObjectPtr object;  // keeps the address from being used again
+    std::shared_ptr<const ObjectQuery> query;
+  };
+
   const Parser& parser_;
+  std::unordered_map<const ObjectNode*, Compiled> compiled_;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ void parse_default_block(Parser& parser) {
       edited->pigment = parse_pigment(parser, edited->pigment);
       current = edited;
     } else if (parser.accept(Keyword::normal)) {
-      edited->normal = parse_normal(parser, edited->normal);
+      edited->normal = parse_default_normal(parser, edited->normal);
       current = edited;
     } else if (parser.accept(Keyword::finish)) {
       edited->finish = parse_finish(parser, edited->finish);

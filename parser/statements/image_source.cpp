@@ -88,7 +88,8 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
   }
 }
 
-std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind) {
+std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind,
+                                                       float* bump_size) {
   const auto source = parse_image_file(parser);
   const bool pigment = kind == PatternKind::image_map;
   for (;;) {
@@ -110,6 +111,8 @@ std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKi
       accept_index_or_all(parser, source->transmit_all, source->transmit_by_index);
     } else if (kind == PatternKind::image_pattern && parser.accept(Keyword::use_alpha)) {
       source->use_alpha = true;
+    } else if (bump_size && parser.accept(Keyword::bump_size)) {
+      *bump_size = static_cast<float>(parser.parse_float());
     } else if (parser.accept(Keyword::use_color)) {
       source->use_color = true;
       source->use_index = false;

@@ -24,7 +24,6 @@ class NormalReader {
     read_start();
     while (accept_item() || accept_pattern_modifier(parser_, node_.pattern)) {
     }
-    if (node_.pattern.kind == PatternKind::none) parser_.error("this normal has no pattern");
     if (node_.pattern.kind == PatternKind::average && !node_.normal_map) {
       parser_.error("average needs a normal_map");
     }
@@ -42,10 +41,8 @@ class NormalReader {
       node_.pattern.frequency = 0;
       node_.pattern.position = parser_.position();
       parser_.expect_open("bump_map");
-      node_.pattern.image = parse_image_options(parser_, PatternKind::bump_map);
-      if (parser_.accept(Keyword::bump_size)) {
-        node_.bump_size = static_cast<float>(parser_.parse_float());
-      }
+      node_.pattern.image =
+          parse_image_options(parser_, PatternKind::bump_map, &node_.bump_size);
       parser_.expect_close("bump_map");
     } else if (parser_.accept(Keyword::object)) {
       node_.pattern.kind = PatternKind::object;
@@ -123,6 +120,13 @@ std::shared_ptr<const NormalNode> read_contents(Parser& parser,
 
 std::shared_ptr<const NormalNode> parse_normal(Parser& parser,
                                                const std::shared_ptr<const NormalNode>& start) {
+  auto node = parse_default_normal(parser, start);
+  if (node->pattern.kind == PatternKind::none) parser.error("this normal has no pattern");
+  return node;
+}
+
+std::shared_ptr<const NormalNode> parse_default_normal(
+    Parser& parser, const std::shared_ptr<const NormalNode>& start) {
   parser.expect_open("normal");
   auto node = read_contents(parser, start);
   parser.expect_close("normal");

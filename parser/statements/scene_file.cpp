@@ -98,7 +98,7 @@ Value parse_rvalue_block(Parser& parser) {
   if (parser.accept(Keyword::texture)) {
     TexturePtr texture = parse_texture(parser);
     // Several in a row are layers.
-    while (parser.accept(Keyword::texture)) {
+    while (parser.accept_before_directives(Keyword::texture)) {
       texture = layer_texture(parser, texture, parse_texture(parser));
     }
     return block(ValueKind::texture, texture);

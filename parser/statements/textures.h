@@ -18,6 +18,9 @@ std::shared_ptr<const PigmentNode> parse_pigment(Parser& parser,
 // start may be null: no normal yet.
 std::shared_ptr<const NormalNode> parse_normal(Parser& parser,
                                                const std::shared_ptr<const NormalNode>& start);
+// In #default a normal may say how, but not yet which pattern.
+std::shared_ptr<const NormalNode> parse_default_normal(
+    Parser& parser, const std::shared_ptr<const NormalNode>& start);
 std::shared_ptr<const FinishNode> parse_finish(Parser& parser,
                                                const std::shared_ptr<const FinishNode>& start);
 // texture{...}: one statement; may name a layered texture.
@@ -43,7 +46,9 @@ std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser);
 // After `{` of height_field: [type] file [gamma ...] [premultiplied ...].
 std::shared_ptr<ImageSource> parse_image_file(Parser& parser);
 // The same with the options that this kind of image pattern takes, up to the closing brace.
-std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind);
+// bump_size is an option of bump_map only; null elsewhere.
+std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind,
+                                                       float* bump_size = nullptr);
 
 std::shared_ptr<const FogNode> parse_fog(Parser& parser);
 std::shared_ptr<const RainbowNode> parse_rainbow(Parser& parser);

@@ -82,7 +82,7 @@ class UvSelector : public TextureSelector {
 TextureLayer compile_layer(const TextureNode& node, const TextureSettings& settings) {
   TextureLayer layer;
   layer.pigment = compile_pigment(node.pigment ? *node.pigment : PigmentNode{}, settings);
-  if (node.normal && settings.quality >= 8) {
+  if (node.normal && node.normal->pattern.kind != PatternKind::none && settings.quality >= 8) {
     layer.normal = compile_normal(*node.normal, settings);
   }
   if (node.finish) layer.finish = *node.finish;
