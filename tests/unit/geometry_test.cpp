@@ -238,6 +238,52 @@ TEST(World, FindsTheNearestOfMany) {
   EXPECT_GT(hits, 300);
 }
 
+// Copies that share one original are hit, shaded and told apart like whole objects.
+TEST(World, SharesCopiesOfBigUnions) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<ObjectPtr> members;
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 corner(uniform(random), uniform(random), uniform(random));
+    members.push_back(object(BoxNode{corner, corner + Vec3(0.1)}));
+  }
+  const auto texture = std::make_shared<TextureNode>();
+  const ObjectPtr original = csg(CsgKind::union_, members, {SetTexture{texture}});
+  Scene shared, whole;
+  for (int i = 0; i < 12; ++i) {
+    const Transform place = Transform::rotation({10.0 * i, 30, 5.0 * i})
+                                .then(Transform::translation({3.0 * (i % 4), 3.0 * (i / 4), 0}));
+    auto copy = std::make_shared<ObjectNode>();
+    copy->base = original;
+    copy->modifiers = {place};
+    shared.objects.push_back(copy);
+    // A node of its own for each: nothing is shared.
+    whole.objects.push_back(csg(CsgKind::union_, members, {SetTexture{texture}, place}));
+  }
+  const auto a = World::build(shared, {}), b = World::build(whole, {});
+  EXPECT_LT(a->interiors().size(), 20u);
+  int hits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 origin(10 * uniform(random) + 4, 10 * uniform(random) + 3, -8);
+    const Vec3 direction = normalize_or_zero({0.2 * uniform(random), 0.2 * uniform(random), 1});
+    Hit hit, other;
+    const bool found = a->closest_hit(origin, direction, {}, 1e10, hit);
+    ASSERT_EQ(found, b->closest_hit(origin, direction, {}, 1e10, other));
+    if (!found) continue;
+    ++hits;
+    EXPECT_NEAR(hit.t, other.t, 1e-10);
+    SurfacePoint p, q;
+    a->surface_point(origin, direction, hit, p);
+    b->surface_point(origin, direction, other, q);
+    EXPECT_NEAR(dot(p.normal, q.normal), 1, 1e-9);
+    EXPECT_EQ(p.share_count, q.share_count);
+    int inside[4], also[4];
+    const Vec3 within = p.point - 1e-4 * p.normal;
+    ASSERT_EQ(a->containing_interiors(within, inside, 4), b->containing_interiors(within, also, 4));
+  }
+  EXPECT_GT(hits, 100);
+}
+
 TEST(World, GivesCoincidentSurfacesToTheFirst) {
   Scene scene;
   for (int i = 0; i < 4; ++i) scene.objects.push_back(object(kCube));

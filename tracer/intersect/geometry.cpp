@@ -14,7 +14,7 @@ ShapeRay local_ray(const Geometry& geometry, const GeometryNode& node, const Geo
   if (node.transform < 0) {
     local.origin = ray.origin;
     local.direction = ray.direction;
-    local.unit_direction = true;
+    local.unit_direction = ray.unit;
   } else {
     const Transform& t = geometry.transforms[node.transform];
     local.origin = t.inverse_point(ray.origin);

@@ -51,8 +51,9 @@ struct ChildTree {
 
 struct GeometryRay {
   Vec3 origin;
-  Vec3 direction;  // unit
-  uint8_t kind;    // RayKind bits
+  Vec3 direction;     // parameters are world distances
+  uint8_t kind;       // RayKind bits
+  bool unit = true;   // the direction is of length 1 (not inside instances)
 };
 
 class Geometry {

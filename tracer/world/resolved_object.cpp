@@ -132,7 +132,24 @@ void ResolvedObject::recompute_box() {
   }
 }
 
+void ResolvedObject::expand() {
+  if (kind != Kind::copy) return;
+  ResolvedObject whole = *original;
+  if (has_transform) whole.move(transform);
+  whole.box = box;
+  whole.position = position;
+  whole.default_texture = default_texture;
+  whole.is_csg_child = is_csg_child;
+  *this = std::move(whole);
+}
+
 void ResolvedObject::move(const Transform& by) {
+  if (kind == Kind::copy) {
+    transform = has_transform ? transform.then(by) : by;
+    has_transform = true;
+    if (!box.is_infinite()) box = box.transformed(by);
+    return;
+  }
   switch (kind) {
     case Kind::shape:
       if (shape) {
@@ -147,6 +164,7 @@ void ResolvedObject::move(const Transform& by) {
       break;
     case Kind::light: light = moved(*light, by); break;
     case Kind::csg: box = box.is_infinite() ? box : box.transformed(by); break;
+    case Kind::copy: break;
   }
   for (ResolvedObject& child : children) child.move(by);
   if (!bounds_are_clips) {
@@ -171,6 +189,7 @@ void ResolvedObject::move(const Transform& by) {
 }
 
 void ResolvedObject::invert() {
+  expand();
   if (kind == Kind::shape) {
     if (!shape) return;
     if (auto turned = shape->inverted()) shape = std::move(turned);
@@ -186,6 +205,7 @@ void ResolvedObject::invert() {
 }
 
 bool ResolvedObject::has_inside() const {
+  if (kind == Kind::copy) return original->has_inside();
   if (kind == Kind::light) return false;
   if (kind == Kind::shape) return shape == nullptr || !shape->is_patch();
   return std::all_of(children.begin(), children.end(),
@@ -193,6 +213,7 @@ bool ResolvedObject::has_inside() const {
 }
 
 bool ResolvedObject::has_texture_anywhere() const {
+  if (kind == Kind::copy) return true;  // only textured objects are shared
   if (texture) return true;
   if (kind == Kind::shape) return shape && !shape->needs_object_texture();
   return std::any_of(children.begin(), children.end(),
@@ -203,8 +224,74 @@ void ResolvedObject::mark_as_csg_child() {
   is_csg_child = true;
 }
 
+namespace {
+
+constexpr int kLeastUses = 8;
+constexpr size_t kLeastShapes = 32;
+
+// What a copy may share: a textured union, to be split, of plain shapes and CSG.
+bool can_be_shared(const ResolvedObject& object, bool is_root, size_t& shapes) {
+  if (object.kind == ResolvedObject::Kind::light || object.kind == ResolvedObject::Kind::copy) {
+    return false;
+  }
+  if (object.cutaway_textures || object.is_light_group || object.box.is_infinite()) return false;
+  if (is_root && (object.kind != ResolvedObject::Kind::csg || object.csg != CsgKind::union_ ||
+                  !object.texture || !object.clips.empty() || !object.bounds.empty() ||
+                  object.bounds_are_clips || !object.split_union)) {
+    return false;
+  }
+  if (object.kind == ResolvedObject::Kind::shape) {
+    ++shapes;
+    if (object.shape && object.shape->own_textures()) return false;
+  }
+  return std::all_of(
+      object.children.begin(), object.children.end(),
+      [&](const ResolvedObject& child) { return can_be_shared(child, false, shapes); });
+}
+
+void count_uses(const ObjectNode& node, std::unordered_map<const ObjectNode*, int>& uses) {
+  if (++uses[&node] > 1) return;
+  if (node.base) count_uses(*node.base, uses);
+  if (!node.shape) return;
+  if (const auto* csg = std::get_if<CsgNode>(node.shape.get())) {
+    for (const ObjectPtr& child : csg->children) count_uses(*child, uses);
+  }
+}
+
+}  // namespace
+
+void ObjectResolver::find_shared(const std::vector<ObjectPtr>& scene) {
+  std::unordered_map<const ObjectNode*, int> uses;
+  for (const ObjectPtr& object : scene) count_uses(*object, uses);
+  for (const auto& [node, count] : uses) {
+    if (count >= kLeastUses && node->shape && std::holds_alternative<CsgNode>(*node->shape)) {
+      shared_.emplace(node, nullptr);
+    }
+  }
+}
+
+// The object that another one copies: as a copy where it may be shared.
+ResolvedObject ObjectResolver::resolve_base(const ObjectNode& object) {
+  const auto found = shared_.find(object.base.get());
+  if (found == shared_.end()) return resolve(object.base);
+  if (!found->second) {
+    auto original = std::make_shared<ResolvedObject>(resolve(object.base));
+    size_t shapes = 0;
+    if (!can_be_shared(*original, true, shapes) || shapes < kLeastShapes) {
+      shared_.erase(object.base.get());
+      return std::move(*original);
+    }
+    shared_[object.base.get()] = std::move(original);
+  }
+  ResolvedObject copy;
+  copy.kind = ResolvedObject::Kind::copy;
+  copy.original = shared_[object.base.get()];
+  copy.box = copy.original->box;
+  return copy;
+}
+
 ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
-  ResolvedObject result = object->base ? resolve(object->base) : resolve_shape(*object);
+  ResolvedObject result = object->base ? resolve_base(*object) : resolve_shape(*object);
   result.position = object->position;
   const bool was_difference = result.written_as_difference;
   bool changes_boxes = false;
@@ -244,6 +331,7 @@ ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
     result.light = *light;
     if ((*light)->looks_like) {
       result.children.push_back(resolve((*light)->looks_like));
+    result.children.back().expand();
       result.children.back().no_shadow = true;
       result.children.back().mark_as_csg_child();
     }
@@ -316,6 +404,7 @@ ResolvedObject ObjectResolver::resolve_csg(const CsgNode& node) {
   for (const ObjectPtr& child : node.children) {
     result.children.push_back(resolve(child));
     ResolvedObject& member = result.children.back();
+    if (node.kind != CsgKind::union_) member.expand();
     if (node.kind == CsgKind::difference && result.children.size() > 1) member.invert();
     member.mark_as_csg_child();
   }
@@ -328,6 +417,10 @@ ResolvedObject ObjectResolver::resolve_csg(const CsgNode& node) {
 }
 
 void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier) {
+  if (!std::holds_alternative<Transform>(modifier) &&
+      !std::holds_alternative<SetDefaultTexture>(modifier)) {
+    object.expand();
+  }
   if (const auto* transform = std::get_if<Transform>(&modifier)) {
     object.move(*transform);
   } else if (const auto* texture = std::get_if<SetTexture>(&modifier)) {
@@ -341,9 +434,15 @@ void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier) {
     object.interior_moved = false;
   } else if (const auto* add = std::get_if<AddBounds>(&modifier)) {
     auto& list = object.bounds_are_clips ? object.clips : object.bounds;
-    for (const ObjectPtr& bound : add->objects) list.push_back(resolve(bound));
+    for (const ObjectPtr& bound : add->objects) {
+      list.push_back(resolve(bound));
+      list.back().expand();
+    }
   } else if (const auto* clips = std::get_if<AddClips>(&modifier)) {
-    for (const ObjectPtr& clip : clips->objects) object.clips.push_back(resolve(clip));
+    for (const ObjectPtr& clip : clips->objects) {
+      object.clips.push_back(resolve(clip));
+      object.clips.back().expand();
+    }
   } else if (std::holds_alternative<ShareBoundsAsClips>(modifier)) {
     object.clips = std::move(object.bounds);
     object.bounds.clear();
@@ -357,6 +456,7 @@ void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier) {
   } else if (const auto* flag = std::get_if<SetFlag>(&modifier)) {
     const bool value = flag->value;
     const auto for_all = [](ResolvedObject& root, auto&& self, auto&& set) -> void {
+      root.expand();
       set(root);
       for (ResolvedObject& child : root.children) self(child, self, set);
     };

@@ -27,7 +27,7 @@ struct MovedTexture {
 };
 
 struct ResolvedObject {
-  enum class Kind : uint8_t { shape, csg, light };
+  enum class Kind : uint8_t { shape, csg, light, copy };
   Kind kind = Kind::shape;
 
   // shape
@@ -44,6 +44,9 @@ struct ResolvedObject {
 
   // light; its only child is looks_like
   std::shared_ptr<const LightNode> light;
+
+  // copy of a declared object that is used many times, only moved (by `transform`)
+  std::shared_ptr<const ResolvedObject> original;
 
   std::vector<ResolvedObject> bounds, clips;
   bool bounds_are_clips = false;  // then `clips` holds the list
@@ -72,6 +75,8 @@ struct ResolvedObject {
   bool has_inside() const;
   bool has_texture_anywhere() const;
   void mark_as_csg_child();
+  // Turns a copy into the whole object.
+  void expand();
 
  private:
   void recompute_box();
@@ -82,10 +87,13 @@ class ObjectResolver {
  public:
   explicit ObjectResolver(int effective_version) : effective_version_(effective_version) {}
 
+  // Marks the objects that the scene uses often: these stay shared where they are only moved.
+  void find_shared(const std::vector<ObjectPtr>& scene);
   // Throws NotSupported.
   ResolvedObject resolve(const ObjectPtr& object);
 
  private:
+  ResolvedObject resolve_base(const ObjectNode& object);
   ResolvedObject resolve_shape(const ObjectNode& object);
   PlacedShape compiled(const ObjectNode& object);
   ResolvedObject resolve_csg(const CsgNode& node);
@@ -93,6 +101,8 @@ class ObjectResolver {
 
   int effective_version_;
   std::unordered_map<const ShapeNode*, PlacedShape> shapes_;
+  // Originals of copies by node; null until the first use.
+  std::unordered_map<const ObjectNode*, std::shared_ptr<const ResolvedObject>> shared_;
 };
 
 }  // namespace durer

@@ -46,58 +46,137 @@ float entry_key(const FloatBox& box, const GeometryRay& ray) {
 }
 
 // Whether the top-level object a is tested before b.
-bool is_tested_first(const WorldData& data, uint32_t a, uint32_t b, const GeometryRay& ray) {
-  const bool infinite_a = std::binary_search(data.infinite.begin(), data.infinite.end(), a);
-  const bool infinite_b = std::binary_search(data.infinite.begin(), data.infinite.end(), b);
+bool is_tested_first(const ObjectSet& set, uint32_t a, uint32_t b, const GeometryRay& ray) {
+  const bool infinite_a = std::binary_search(set.infinite.begin(), set.infinite.end(), a);
+  const bool infinite_b = std::binary_search(set.infinite.begin(), set.infinite.end(), b);
   if (infinite_a != infinite_b) return infinite_a;
   if (!infinite_a) {
-    const float key_a = entry_key(data.top[a].box, ray), key_b = entry_key(data.top[b].box, ray);
+    const float key_a = entry_key(set.objects[a].box, ray), key_b = entry_key(set.objects[b].box, ray);
     if (key_a != key_b) return key_a < key_b;
   }
   return a < b;
 }
+
+GeometryRay local_ray(const Instance& instance, const GeometryRay& ray) {
+  return {instance.transform.inverse_point(ray.origin),
+          instance.transform.inverse_direction(ray.direction), ray.kind, false};
+}
+
+struct ClosestSearch {
+  const WorldData& data;
+  const ObjectSet& set;
+  GeometryRay ray;
+  HitStack& stack;
+  double best;
+  ShapeHit hit{};
+  int64_t top = -1;
+  uint32_t instance = 0;
+
+  void run() {
+    for (const uint32_t i : set.infinite) test(i);
+    set.bvh.visit_ray(
+        ray.origin, ray.direction, best,
+        [](void* context, uint32_t item, double& limit) {
+          auto& search = *static_cast<ClosestSearch*>(context);
+          search.test(search.set.finite[item]);
+          limit = search.best;
+          return false;
+        },
+        this);
+  }
+
+  void test(uint32_t index) {
+    const TopLevelObject& object = set.objects[index];
+    if (object.hidden & ray.kind) return;
+    // At equal depths the object that is tested first counts.
+    const double limit = top < 0 ? best : just_beyond(best);
+    ShapeHit candidate;
+    if (object.instance >= 0) {
+      const Instance& copy = data.instances[object.instance];
+      ClosestSearch inner{data, data.groups[copy.group]->set, local_ray(copy, ray), stack, limit};
+      inner.run();
+      if (inner.top < 0) return;
+      candidate = inner.hit;
+    } else {
+      const GeometryNode& node = data.geometry.nodes[object.node];
+      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return;
+      if (!data.geometry.closest(object.node, ray, limit, stack, candidate)) return;
+    }
+    if (candidate.t == best && top >= 0 &&
+        !is_tested_first(set, index, static_cast<uint32_t>(top), ray)) {
+      return;
+    }
+    hit = candidate;
+    best = candidate.t;
+    top = index;
+    instance = static_cast<uint32_t>(object.instance + 1);
+  }
+};
+
+struct OcclusionSearch {
+  const WorldData& data;
+  const ObjectSet& set;
+  GeometryRay ray;
+  HitStack& stack;
+  double max_t;
+
+  bool run() {
+    if (set.opaque.size() != set.objects.size()) return false;
+    for (const uint32_t i : set.infinite) {
+      if (blocks(i)) return true;
+    }
+    struct Context {
+      OcclusionSearch& search;
+      bool blocked;
+    } context{*this, false};
+    set.bvh.visit_ray(
+        ray.origin, ray.direction, max_t,
+        [](void* pointer, uint32_t item, double&) {
+          auto& c = *static_cast<Context*>(pointer);
+          c.blocked = c.search.blocks(c.search.set.finite[item]);
+          return c.blocked;
+        },
+        &context);
+    return context.blocked;
+  }
+
+  bool blocks(uint32_t index) {
+    const TopLevelObject& object = set.objects[index];
+    if (!set.opaque[index] || (object.hidden & kShadowRay)) return false;
+    if (object.instance >= 0) {
+      const Instance& copy = data.instances[object.instance];
+      return OcclusionSearch{data, data.groups[copy.group]->set, local_ray(copy, ray), stack, max_t}
+          .run();
+    }
+    const GeometryNode& node = data.geometry.nodes[object.node];
+    if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
+    ShapeHit hit;
+    if (!data.geometry.closest(object.node, ray, max_t, stack, hit)) return false;
+    if (hit.t > kLeastShadowDepth) return true;
+    // The nearest one is too near to count: look at all.
+    const size_t base = stack.size();
+    data.geometry.all_hits(object.node, ray, stack);
+    bool found = false;
+    for (size_t i = base; i < stack.size(); ++i) {
+      found |= stack[i].t > kLeastShadowDepth && stack[i].t < max_t;
+    }
+    stack.shrink(base);
+    return found;
+  }
+};
 
 }  // namespace
 
 struct World::Impl {
   WorldData data;
   std::vector<bool> opaque_textures;
-  std::vector<uint8_t> opaque_nodes;
 
   bool is_opaque_object(uint32_t node) const;
+  void mark_opaque(ObjectSet& set) const;
   void add_shares(uint32_t node, const Vec3& point, SurfacePoint& out) const;
+  int containing(const ObjectSet& set, const Vec3& point, int64_t moved_from, int64_t moved_to,
+                 int* interiors, int capacity) const;
 };
-
-namespace {
-
-struct ClosestSearch {
-  const WorldData& data;
-  GeometryRay ray;
-  HitStack& stack;
-  ShapeHit hit;
-  double best;
-  int64_t top = -1;
-
-  void test(uint32_t index) {
-    const TopLevelObject& object = data.top[index];
-    if (object.hidden & ray.kind) return;
-    const GeometryNode& node = data.geometry.nodes[object.node];
-    if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return;
-    ShapeHit candidate;
-    // At equal depths the object that is tested first counts.
-    const double limit = top < 0 ? best : just_beyond(best);
-    if (!data.geometry.closest(object.node, ray, limit, stack, candidate)) return;
-    if (candidate.t == best && top >= 0 &&
-        !is_tested_first(data, index, static_cast<uint32_t>(top), ray)) {
-      return;
-    }
-    hit = candidate;
-    best = candidate.t;
-    top = index;
-  }
-};
-
-}  // namespace
 
 World::World() : impl_(std::make_unique<Impl>()) {}
 World::~World() = default;
@@ -108,6 +187,7 @@ std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& opti
   WorldBuilder builder(data, options, static_cast<double>(scene.atmosphere_ior),
                        scene.default_texture);
   ObjectResolver resolver(scene.effective_version);
+  resolver.find_shared(scene.objects);
   for (const ObjectPtr& object : scene.objects) builder.add_top_level(resolver.resolve(object));
   builder.resolve_projected(resolver);
   builder.finish();
@@ -117,21 +197,14 @@ std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& opti
 bool World::closest_hit(const Vec3& origin, const Vec3& unit_direction, const RayClass& kind,
                         double max_t, Hit& hit) const {
   const WorldData& data = impl_->data;
-  ClosestSearch search{data, {origin, unit_direction, kind_bits(kind)}, scratch(), {}, max_t};
-  for (const uint32_t i : data.infinite) search.test(i);
-  data.bvh.visit_ray(
-      origin, unit_direction, search.best,
-      [](void* context, uint32_t item, double& limit) {
-        auto& s = *static_cast<ClosestSearch*>(context);
-        s.test(s.data.finite[item]);
-        limit = s.best;
-        return false;
-      },
-      &search);
+  ClosestSearch search{data, data.scene, {origin, unit_direction, kind_bits(kind)}, scratch(),
+                       max_t};
+  search.run();
   if (search.top < 0) return false;
   hit.t = search.hit.t;
   hit.item = search.hit.node;
   hit.part = search.hit.part;
+  hit.instance = search.instance;
   hit.barycentric_u = search.hit.u;
   hit.barycentric_v = search.hit.v;
   return true;
@@ -145,16 +218,22 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
   const ShapeHit shape_hit{hit.t, hit.item, hit.part, hit.barycentric_u, hit.barycentric_v};
   out.point = origin + hit.t * unit_direction;
   out.object = &data.objects[node.object];
+  const Instance* instance = hit.instance ? &data.instances[hit.instance - 1] : nullptr;
+  if (instance) {
+    const SharedGroup& group = *data.groups[instance->group];
+    out.object = &data.objects[instance->first_object + node.object - group.first_object];
+  }
 
   // Normal and uv in the shape's space.
-  Vec3 local = out.point;
+  Vec3 local = instance ? instance->transform.inverse_point(out.point) : out.point;
   if (node.transform >= 0) {
     const Transform& transform = data.geometry.transforms[node.transform];
-    local = transform.inverse_point(out.point);
+    local = transform.inverse_point(local);
     out.normal = transform.normal(node.shape->normal(local, shape_hit));
   } else {
     out.normal = node.shape->normal(local, shape_hit);
   }
+  if (instance) out.normal = instance->transform.normal(out.normal);
   out.normal = normalize_or_zero(out.normal);
   if (node.inverted) out.normal = -out.normal;
   out.uv = appearance.needs_uv ? node.shape->uv(local, out.point, shape_hit) : Vec2(0);
@@ -244,59 +323,29 @@ bool World::Impl::is_opaque_object(uint32_t index) const {
   return true;
 }
 
+void World::Impl::mark_opaque(ObjectSet& set) const {
+  set.opaque.clear();
+  for (const TopLevelObject& top : set.objects) {
+    if (top.instance < 0) {
+      set.opaque.push_back(is_opaque_object(top.node));
+    } else {
+      // Its members answer for themselves.
+      set.opaque.push_back(1);
+    }
+  }
+}
+
 void World::set_opaque_textures(std::vector<bool> opaque) {
   impl_->opaque_textures = std::move(opaque);
-  impl_->opaque_nodes.clear();
-  for (const TopLevelObject& top : impl_->data.top) {
-    impl_->opaque_nodes.push_back(impl_->is_opaque_object(top.node));
-  }
+  for (const auto& group : impl_->data.groups) impl_->mark_opaque(group->set);
+  impl_->mark_opaque(impl_->data.scene);
 }
 
 bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction,
                                double max_t) const {
-  struct Search {
-    const World::Impl& impl;
-    GeometryRay ray;
-    HitStack& stack;
-    double max_t;
-
-    bool blocks(uint32_t index) const {
-      const WorldData& data = impl.data;
-      const TopLevelObject& object = data.top[index];
-      if (!impl.opaque_nodes[index] || (object.hidden & kShadowRay)) return false;
-      const GeometryNode& node = data.geometry.nodes[object.node];
-      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
-      ShapeHit hit;
-      if (!data.geometry.closest(object.node, ray, max_t, stack, hit)) return false;
-      if (hit.t > kLeastShadowDepth) return true;
-      // The nearest one is too near to count: look at all.
-      const size_t base = stack.size();
-      data.geometry.all_hits(object.node, ray, stack);
-      bool found = false;
-      for (size_t i = base; i < stack.size(); ++i) {
-        found |= stack[i].t > kLeastShadowDepth && stack[i].t < max_t;
-      }
-      stack.shrink(base);
-      return found;
-    }
-  } search{*impl_, {origin, unit_direction, kShadowRay}, scratch(), max_t};
-  if (impl_->opaque_nodes.size() != impl_->data.top.size()) return false;
-  for (const uint32_t i : impl_->data.infinite) {
-    if (search.blocks(i)) return true;
-  }
-  struct Context {
-    const Search& search;
-    bool blocked;
-  } context{search, false};
-  impl_->data.bvh.visit_ray(
-      origin, unit_direction, max_t,
-      [](void* data, uint32_t item, double&) {
-        auto& c = *static_cast<Context*>(data);
-        c.blocked = c.search.blocks(c.search.impl.data.finite[item]);
-        return c.blocked;
-      },
-      &context);
-  return context.blocked;
+  const WorldData& data = impl_->data;
+  return OcclusionSearch{data, data.scene, {origin, unit_direction, kShadowRay}, scratch(), max_t}
+      .run();
 }
 
 bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,
@@ -313,22 +362,34 @@ bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& 
   return true;
 }
 
-int World::containing_interiors(const Vec3& point, int* interiors, int capacity) const {
-  const WorldData& data = impl_->data;
+// `moved_from`, `moved_to`: a shared object's first WorldObject, and that of the copy asked.
+int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t moved_from,
+                            int64_t moved_to, int* interiors, int capacity) const {
   int count = 0;
-  for (const TopLevelObject& top : data.top) {
+  for (const TopLevelObject& top : set.objects) {
     if (count == capacity) break;
-    if (top.box.contains(point) && data.geometry.inside_unclipped(top.node, point)) {
-      interiors[count++] = data.objects[data.geometry.nodes[top.node].object].interior;
+    if (!top.box.contains(point)) continue;
+    if (top.instance >= 0) {
+      const Instance& copy = data.instances[top.instance];
+      const SharedGroup& group = *data.groups[copy.group];
+      count += containing(group.set, copy.transform.inverse_point(point), group.first_object,
+                          copy.first_object, interiors + count, capacity - count);
+    } else if (data.geometry.inside_unclipped(top.node, point)) {
+      const int64_t object = data.geometry.nodes[top.node].object;
+      interiors[count++] = data.objects[object - moved_from + moved_to].interior;
     }
   }
   return count;
+}
+
+int World::containing_interiors(const Vec3& point, int* interiors, int capacity) const {
+  return impl_->containing(impl_->data.scene, point, 0, 0, interiors, capacity);
 }
 
 const std::vector<TexturePtr>& World::textures() const { return impl_->data.textures.textures(); }
 const std::vector<WorldInterior>& World::interiors() const { return impl_->data.interiors; }
 const std::vector<WorldLight>& World::lights() const { return impl_->data.lights; }
 const std::vector<LightGroup>& World::light_groups() const { return impl_->data.light_groups; }
-Bounds World::bounds() const { return impl_->data.bvh.bounds(); }
+Bounds World::bounds() const { return impl_->data.scene.bvh.bounds(); }
 
 }  // namespace durer

@@ -71,7 +71,8 @@ WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options, double 
     : data_(data),
       options_(options),
       atmosphere_ior_(atmosphere_ior),
-      default_texture_(std::move(default_texture)) {
+      default_texture_(std::move(default_texture)),
+      set_(&data.scene) {
   if (!default_texture_) default_texture_ = std::make_shared<const TextureNode>();
 }
 
@@ -86,7 +87,74 @@ void WorldBuilder::add_top_level(ResolvedObject&& object) {
   split(std::move(object), -1);
 }
 
+// The members of a shared object, emitted once in its own space.
+uint32_t WorldBuilder::group_of(const std::shared_ptr<const ResolvedObject>& original) {
+  const auto known = groups_.find(original.get());
+  if (known != groups_.end()) return known->second;
+  const uint32_t index = static_cast<uint32_t>(data_.groups.size());
+  groups_.emplace(original.get(), index);
+  originals_.push_back(original);
+  auto group = std::make_unique<SharedGroup>();
+  group->first_object = static_cast<uint32_t>(data_.objects.size());
+  group_ = group.get();
+  set_ = &group->set;
+  split(ResolvedObject(*original), -1);
+  set_ = &data_.scene;
+  group_ = nullptr;
+  group->object_count = static_cast<uint32_t>(data_.objects.size()) - group->first_object;
+  finish_set(group->set, true);
+  data_.groups.push_back(std::move(group));
+  return index;
+}
+
+// A copy has materials of its own: textures moved with it, interiors told apart.
+void WorldBuilder::add_instance(const ResolvedObject& copy) {
+  const uint32_t index = group_of(copy.original);
+  const SharedGroup& group = *data_.groups[index];
+  Instance instance{index, copy.has_transform ? copy.transform : Transform(),
+                    static_cast<uint32_t>(data_.objects.size())};
+  std::unordered_map<int, int> interiors;
+  for (uint32_t i = 0; i < group.object_count; ++i) {
+    WorldObject object = data_.objects[group.first_object + i];
+    const auto moved = [&](MovedTexture texture) {
+      if (!object.uv_mapping) texture.move(instance.transform);
+      return data_.textures.index_of(texture);
+    };
+    if (group.textures[i]) object.texture = moved(group.textures[i]);
+    if (group.interior_textures[i]) object.interior_texture = moved(group.interior_textures[i]);
+    const auto [own, is_new] =
+        interiors.try_emplace(object.interior, static_cast<int>(data_.interiors.size()));
+    if (is_new) {
+      WorldInterior interior = data_.interiors[object.interior];
+      data_.interiors.push_back(std::move(interior));
+    }
+    object.interior = own->second;
+    object.position = copy.position;
+    data_.objects.push_back(std::move(object));
+  }
+  TopLevelObject top;
+  top.box = FloatBox::from(instance.transform.bounds(group.set.bvh.bounds()));
+  top.instance = static_cast<int32_t>(data_.instances.size());
+  data_.instances.push_back(std::move(instance));
+  set_->objects.push_back(top);
+}
+
 void WorldBuilder::split(ResolvedObject&& object, int light_group) {
+  if (object.kind == ResolvedObject::Kind::copy) {
+    // Only what is just moved stays shared; media know their place.
+    const bool is_plain = !group_ && !object.texture && !object.interior_texture &&
+                          light_group < 0 && hidden_bits(object) == 0 &&
+                          object.shared_interior < 0 && object.radiosity_importance < 0 &&
+                          !object.original->interior;
+    if (is_plain) {
+      add_instance(object);
+      return;
+    }
+    ResolvedObject inherited = object;
+    object.expand();
+    inherit_from(object, inherited);
+    if (!object.interior) object.shared_interior = inherited.shared_interior;
+  }
   // Unneeded bounds go (their box stays).
   const bool keeps_bounds = object.kind == ResolvedObject::Kind::csg ||
                             (object.is_quadric && !object.box_from_quadric);
@@ -115,7 +183,7 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
         object.kind == ResolvedObject::Kind::light && visible ? object.children[0].box : box;
     const uint32_t node = emit(object, nullptr, -1, light_group, -1);
     if (visible && data_.geometry.nodes[node].kind != NodeKind::nothing) {
-      data_.top.push_back({node, seen, hidden});
+      set_->objects.push_back({node, seen, hidden, -1});
     }
     return;
   }
@@ -171,7 +239,8 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
   data_.interiors[interior].hollow = object.hollow;
 }
 
-uint32_t WorldBuilder::object_number(const WorldObject& object) {
+uint32_t WorldBuilder::object_number(const WorldObject& object,
+                                     const ResolvedObject& source) {
   // Members of one CSG follow each other and mostly agree.
   const auto same = [&](const WorldObject& o) {
     return o.texture == object.texture && o.interior_texture == object.interior_texture &&
@@ -187,10 +256,15 @@ uint32_t WorldBuilder::object_number(const WorldObject& object) {
            o.photons.collect == object.photons.collect;
   };
   const size_t count = data_.objects.size();
-  for (size_t i = 0; i < 4 && i < count; ++i) {
+  const size_t first = group_ ? group_->first_object : 0;
+  for (size_t i = 0; i < 4 && i < count - first; ++i) {
     if (same(data_.objects[count - 1 - i])) return static_cast<uint32_t>(count - 1 - i);
   }
   data_.objects.push_back(object);
+  if (group_) {
+    group_->textures.push_back(source.texture);
+    group_->interior_textures.push_back(source.interior_texture);
+  }
   return static_cast<uint32_t>(count);
 }
 
@@ -226,6 +300,11 @@ uint32_t WorldBuilder::add_bare(const ResolvedObject& object) { return emit_bare
 
 // Geometry only, for clips, bounds and questions.
 uint32_t WorldBuilder::emit_bare(const ResolvedObject& object, bool csg_child) {
+  if (object.kind == ResolvedObject::Kind::copy) {
+    ResolvedObject whole = object;
+    whole.expand();
+    return emit_bare(whole, csg_child);
+  }
   const uint32_t index = new_node();
   std::vector<uint32_t> children;
   for (const ResolvedObject& child : object.children) {
@@ -331,7 +410,7 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   data_.appearance[index] = appearance;
 
   GeometryNode& node = geometry.nodes[index];
-  node.object = object_number(material);
+  node.object = object_number(material, object);
   node.hidden = hidden_bits(object);
   node.children = {static_cast<uint32_t>(geometry.lists.size()),
                    static_cast<uint32_t>(children.size())};
@@ -352,26 +431,31 @@ void WorldBuilder::resolve_projected(ObjectResolver& resolver) {
 }
 
 void WorldBuilder::finish() {
-  const bool uses_bounding =
-      data_.top.size() + data_.lights.size() >= static_cast<size_t>(options_.bounding_threshold);
+  const size_t count = data_.scene.objects.size() + data_.lights.size();
+  finish_set(data_.scene, count >= static_cast<size_t>(options_.bounding_threshold));
+}
+
+void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
   std::vector<Bounds> boxes;
-  for (uint32_t i = 0; i < data_.top.size(); ++i) {
-    const TopLevelObject& top = data_.top[i];
-    const GeometryNode& node = data_.geometry.nodes[top.node];
+  for (uint32_t i = 0; i < set.objects.size(); ++i) {
+    const TopLevelObject& top = set.objects[i];
     Bounds box = top.box.to_bounds();
     bool is_infinite = top.box.is_infinite();
-    if (!uses_bounding && node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test()) {
-      box = node.surface;
-      is_infinite = !node.surface_is_bounded;
+    if (top.instance < 0 && !uses_bounding) {
+      const GeometryNode& node = data_.geometry.nodes[top.node];
+      if (node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test()) {
+        box = node.surface;
+        is_infinite = !node.surface_is_bounded;
+      }
     }
     if (is_infinite || !box.is_bounded()) {
-      data_.infinite.push_back(i);
+      set.infinite.push_back(i);
     } else if (!box.is_empty()) {
-      data_.finite.push_back(i);
+      set.finite.push_back(i);
       boxes.push_back(box);
     }
   }
-  data_.bvh.build(boxes);
+  set.bvh.build(boxes);
 }
 
 }  // namespace durer

@@ -14,9 +14,31 @@ namespace durer {
 
 // A top-level object after splitting.
 struct TopLevelObject {
-  uint32_t node;
+  uint32_t node = 0;
   FloatBox box;
-  uint8_t hidden;  // RayKind bits
+  uint8_t hidden = 0;     // RayKind bits
+  int32_t instance = -1;  // in WorldData::instances; then `node` means nothing
+};
+
+// What a ray looks through at one level: the scene, or a shared object.
+struct ObjectSet {
+  std::vector<TopLevelObject> objects;
+  std::vector<uint32_t> infinite;  // positions in `objects`, by declaration
+  std::vector<uint32_t> finite;
+  Bvh bvh;                         // over `finite`
+  std::vector<uint8_t> opaque;     // by position, once textures are known
+};
+
+// A declared object that many copies share, in its own space.
+struct SharedGroup {
+  ObjectSet set;
+  uint32_t first_object = 0, object_count = 0;  // its WorldObjects
+  std::vector<MovedTexture> textures, interior_textures;  // of these, before the copy's move
+};
+struct Instance {
+  uint32_t group;
+  Transform transform;
+  uint32_t first_object;  // its own WorldObjects, in the group's order
 };
 
 // What a node looks like beyond WorldObject.
@@ -28,10 +50,9 @@ struct NodeAppearance {
 
 struct WorldData {
   Geometry geometry;
-  std::vector<TopLevelObject> top;
-  std::vector<uint32_t> infinite;  // positions in `top`, by declaration
-  std::vector<uint32_t> finite;
-  Bvh bvh;                         // over `finite`
+  ObjectSet scene;
+  std::vector<std::unique_ptr<SharedGroup>> groups;
+  std::vector<Instance> instances;
   std::vector<WorldObject> objects;
   std::vector<NodeAppearance> appearance;  // by node
   std::vector<uint32_t> own_texture_ids;
@@ -65,13 +86,20 @@ class WorldBuilder {
   NodeRange emit_list(const std::vector<ResolvedObject>& list);
   uint32_t new_node();
   void fill_shape(uint32_t index, const ResolvedObject& object, bool csg_child);
-  uint32_t object_number(const WorldObject& object);
+  uint32_t object_number(const WorldObject& object, const ResolvedObject& source);
+  void add_instance(const ResolvedObject& copy);
+  uint32_t group_of(const std::shared_ptr<const ResolvedObject>& original);
+  void finish_set(ObjectSet& set, bool uses_bounding);
 
   WorldData& data_;
   WorldOptions options_;
   double atmosphere_ior_;
   TexturePtr default_texture_;
   std::unordered_map<const Shape*, uint32_t> owned_;
+  std::unordered_map<const ResolvedObject*, uint32_t> groups_;
+  std::vector<std::shared_ptr<const ResolvedObject>> originals_;
+  ObjectSet* set_;                // that top-level objects go to
+  SharedGroup* group_ = nullptr;  // while its members are emitted
 };
 
 }  // namespace durer
