@@ -1,5 +1,6 @@
 #include "parser/statements/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "parser/parser.h"
@@ -77,13 +78,15 @@ class CameraReader {
     parser_.accept_comma();
     camera_.distribution = parser_.parse_int();
     parser_.accept_comma();
+    if (camera_.rays_per_pixel < 1) parser_.error("a mesh_camera needs at least one ray");
     if (camera_.distribution < 0 || camera_.distribution > 3) {
       parser_.error("the distribution of a mesh_camera is 0, 1, 2 or 3");
     }
-    if (camera_.distribution == 3) {
-      camera_.max_distance = parser_.parse_optional_float(0);
-      parser_.accept_comma();
+    if (camera_.distribution >= 2 && camera_.rays_per_pixel != 1) {
+      parser_.error("distributions 2 and 3 of a mesh_camera take one ray for each pixel");
     }
+    camera_.max_distance = parser_.parse_optional_float(0);
+    parser_.accept_comma();
     while (ObjectPtr mesh = parse_object(parser_)) {
       if (!std::holds_alternative<MeshNode>(shape_of(*mesh))) {
         parser_.error("a mesh_camera takes meshes only");
@@ -91,9 +94,21 @@ class CameraReader {
       camera_.mesh_objects.push_back(std::move(mesh));
       parser_.accept_comma();
     }
-    if (parser_.accept(Keyword::smooth)) camera_.mesh_smooth = true;
+    if (parser_.accept(Keyword::smooth)) {
+      if (camera_.distribution != 3) {
+        parser_.error("smooth belongs to distribution 3 of a mesh_camera only");
+      }
+      camera_.mesh_smooth = true;
+    }
+    const size_t meshes = camera_.mesh_objects.size();
+    if (meshes == 0) parser_.error("a mesh_camera needs at least one mesh");
+    if (camera_.distribution == 0 && static_cast<size_t>(camera_.rays_per_pixel) > meshes) {
+      parser_.error("a mesh_camera of distribution 0 needs a mesh for each ray");
+    }
+    if (camera_.distribution == 3 && meshes > 1) {
+      parser_.warning("distribution 3 of a mesh_camera uses the first mesh only");
+    }
     parser_.expect_close("mesh_camera");
-    if (camera_.mesh_objects.empty()) parser_.error("a mesh_camera needs at least one mesh");
   }
 
   bool accept_item() {
@@ -122,20 +137,25 @@ class CameraReader {
       const double first = parser_.parse_float();
       parser_.accept_comma();
       if (parser_.at_expression()) {
-        camera_.min_blur_samples = static_cast<int>(first);
+        camera_.min_blur_samples = count_of(first);
         camera_.blur_samples = parser_.parse_int();
       } else {
-        camera_.blur_samples = static_cast<int>(first);
+        camera_.blur_samples = count_of(first);
+      }
+      if (camera_.blur_samples <= 0 || camera_.min_blur_samples < 0) {
+        parser_.error("the number of blur_samples must be positive");
       }
     } else if (parser_.accept(Keyword::confidence)) {
       camera_.confidence = parser_.parse_float();
       if (!(camera_.confidence > 0 && camera_.confidence < 1)) {
-        parser_.error("confidence must lie between 0 and 1");
+        parser_.warning("the camera's confidence must lie between 0 and 1; 0.9 is used");
+        camera_.confidence = CameraNode{}.confidence;
       }
     } else if (parser_.accept(Keyword::variance)) {
       camera_.variance = parser_.parse_float();
       if (!(camera_.variance >= 0 && camera_.variance <= 1)) {
-        parser_.error("variance must lie between 0 and 1");
+        parser_.warning("the camera's variance must lie between 0 and 1; 0.0001 is used");
+        camera_.variance = CameraNode{}.variance;
       }
     } else if (parser_.accept(Keyword::focal_point)) {
       camera_.focal_point = parser_.parse_vector();
@@ -174,6 +194,10 @@ class CameraReader {
     camera_.angle = angle;
     angle_given_ = true;
     if (stepwise_) apply_angle();
+  }
+
+  static int count_of(double number) {
+    return number >= 1 ? static_cast<int>(std::min(number, 1e9)) : 0;
   }
 
   bool has_flat_image() const {
@@ -266,11 +290,16 @@ std::shared_ptr<const CameraNode> parse_camera(Parser& parser) {
   parser.expect_open("camera");
   if (const auto named = parser.accept_identifier<CameraNode>(ValueKind::camera)) {
     auto copy = std::make_shared<CameraNode>(*named);
-    const Transform t = parse_transformations(parser);
-    copy->location = t.point(copy->location);
-    copy->direction = t.direction(copy->direction);
-    copy->up = t.direction(copy->up);
-    copy->right = t.direction(copy->right);
+    if (parser.language_version() < 350) {
+      // Before 3.5 a copy may be changed in every way.
+      CameraReader(parser, *copy).read();
+    } else {
+      const Transform t = parse_transformations(parser);
+      copy->location = t.point(copy->location);
+      copy->direction = t.direction(copy->direction);
+      copy->up = t.direction(copy->up);
+      copy->right = t.direction(copy->right);
+    }
     parser.expect_close("camera");
     return copy;
   }

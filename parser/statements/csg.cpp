@@ -31,34 +31,32 @@ ObjectPtr parse_csg(Parser& parser, CsgKind kind, const char* what) {
   if (csg.children.size() < 2) {
     parser.warning(std::string("a ") + what + " should have at least two objects");
   }
-  builder.set_shape(std::move(csg));
+  builder.set_csg(std::move(csg));
   return builder.finish(what);
 }
 
+// Its members first, then what acts on all of them.
 ObjectPtr parse_light_group(Parser& parser) {
   parser.expect_open("light_group");
+  ObjectBuilder builder(parser);
   CsgNode csg;
   csg.is_light_group = true;
   csg.global_lights = false;
-  auto node = std::make_shared<ObjectNode>();
-  node->position = parser.position();
+  while (ObjectPtr child = parse_object(parser)) csg.children.push_back(std::move(child));
   Transform transform;
   for (;;) {
-    if (ObjectPtr child = parse_object(parser)) {
-      csg.children.push_back(std::move(child));
-    } else if (accept_transformation(parser, transform)) {
-      node->modifiers.push_back(transform);
+    if (accept_transformation(parser, transform)) {
+      builder.add(transform);
     } else if (parser.accept(Keyword::global_lights)) {
       csg.global_lights = parser.parse_optional_float(1) > 0.5;
     } else if (parser.accept(Keyword::photons)) {
-      node->modifiers.push_back(SetPhotons{parse_object_photons(parser)});
+      builder.add(SetPhotons{parse_object_photons(parser)});
     } else {
       break;
     }
   }
-  parser.expect_close("light_group");
-  node->shape = std::make_shared<const ShapeNode>(std::move(csg));
-  return node;
+  builder.set_csg(std::move(csg));
+  return builder.close("light_group");
 }
 
 }  // namespace durer

@@ -27,12 +27,9 @@ void parse_area(Parser& parser, LightNode& light) {
 ObjectPtr parse_looks_like(Parser& parser, const Vec3& location) {
   parser.expect_open("looks_like");
   const ObjectPtr inner = require_object(parser);
-  auto placed = std::make_shared<ObjectNode>();
-  placed->base = inner;
-  placed->position = inner->position;
-  placed->modifiers.push_back(Transform::translation(location));
-  placed->modifiers.push_back(SetFlag{ObjectFlag::no_shadow, true});
-  ObjectBuilder builder(parser, placed);
+  ObjectBuilder builder(parser, inner);
+  builder.add(Transform::translation(location));
+  builder.add(SetFlag{ObjectFlag::no_shadow, true});
   return builder.finish("looks_like");
 }
 
@@ -40,7 +37,12 @@ ObjectPtr parse_projected_through(Parser& parser) {
   parser.expect_open("projected_through");
   const ObjectPtr inner = require_object(parser);
   ObjectBuilder builder(parser, inner);
-  return builder.finish("projected_through");
+  ObjectPtr object = builder.finish("projected_through");
+  // Only its form counts.
+  const ResolvedTextures surface = resolve_textures(*object);
+  if (surface.interior) parser.warning("the interior of a projected_through object has no effect");
+  if (surface.texture) parser.warning("the texture of a projected_through object has no effect");
+  return object;
 }
 
 void transform_light(LightNode& light, const Transform& t) {
@@ -49,12 +51,7 @@ void transform_light(LightNode& light, const Transform& t) {
   light.axis1 = t.direction(light.axis1);
   light.axis2 = t.direction(light.axis2);
   for (ObjectPtr* object : {&light.looks_like, &light.projected_through}) {
-    if (!*object) continue;
-    auto moved = std::make_shared<ObjectNode>();
-    moved->base = *object;
-    moved->position = (*object)->position;
-    moved->modifiers.push_back(t);
-    *object = moved;
+    if (*object) *object = with_modifier(std::move(*object), t);
   }
 }
 

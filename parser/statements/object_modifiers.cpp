@@ -1,10 +1,38 @@
 // What may follow an object's parameters (spec/language.md 25).
+#include <algorithm>
+
 #include "parser/parser.h"
 #include "parser/statements/objects.h"
 #include "parser/statements/textures.h"
 #include "parser/statements/transformations.h"
 
 namespace durer {
+namespace {
+
+// Objects are walked by recursion when the world is built: what nests deeper than this is a mistake
+// in a loop.
+constexpr int kMostCsgLevels = 1000;
+constexpr int kMostCopyLevels = 10000;
+
+// What bounded_by and clipped_by said so far, in this statement and in those that it copies.
+struct ClipState {
+  bool has_bounds = false, has_clips = false, linked = false;
+};
+
+ClipState clip_state(const ObjectNode& object) {
+  ClipState state;
+  for (const ObjectNode* node = &object; node; node = node->base.get()) {
+    for (const Modifier& modifier : node->modifiers) {
+      state.has_bounds |= std::holds_alternative<AddBounds>(modifier);
+      state.has_clips |= std::holds_alternative<AddClips>(modifier);
+      state.linked |= std::holds_alternative<ShareBoundsAsClips>(modifier) ||
+                      std::holds_alternative<ShareClipsAsBounds>(modifier);
+    }
+  }
+  return state;
+}
+
+}  // namespace
 
 ObjectBuilder::ObjectBuilder(Parser& parser)
     : parser_(parser), node_(std::make_shared<ObjectNode>()) {
@@ -12,38 +40,57 @@ ObjectBuilder::ObjectBuilder(Parser& parser)
 }
 
 ObjectBuilder::ObjectBuilder(Parser& parser, const ObjectPtr& base) : ObjectBuilder(parser) {
-  node_->base = base;
-  textures_ = resolve_textures(*base);
+  set_base(base);
 }
 
 bool ObjectBuilder::accept_base() {
-  node_->base = parser_.accept_identifier<ObjectNode>(ValueKind::object);
-  if (node_->base) textures_ = resolve_textures(*node_->base);
-  return node_->base != nullptr;
+  const auto base = parser_.accept_identifier<ObjectNode>(ValueKind::object);
+  if (base) set_base(base);
+  return base != nullptr;
+}
+
+void ObjectBuilder::set_base(const ObjectPtr& base) {
+  node_->base = base;
+  node_->csg_depth = base->csg_depth;
+  node_->copy_depth = base->copy_depth + 1;
+  if (node_->copy_depth > kMostCopyLevels) {
+    parser_.error("this object is a copy of a copy of a copy ...: the limit is " +
+                  std::to_string(kMostCopyLevels) + " levels");
+  }
 }
 
 void ObjectBuilder::set_shape(ShapeNode shape) {
   node_->shape = std::make_shared<const ShapeNode>(std::move(shape));
 }
 
+void ObjectBuilder::set_csg(CsgNode csg) {
+  for (const ObjectPtr& child : csg.children) {
+    node_->csg_depth = std::max(node_->csg_depth, child->csg_depth + 1);
+  }
+  if (node_->csg_depth > kMostCsgLevels) {
+    parser_.error("objects are nested too deeply: the limit is " +
+                  std::to_string(kMostCsgLevels) + " levels of CSG");
+  }
+  set_shape(std::move(csg));
+}
+
 ObjectPtr ObjectBuilder::finish(const char* what) {
   while (accept_modifier()) {
   }
-  if (textures_.interior_texture && !textures_.texture &&
-      !std::holds_alternative<CsgNode>(shape_of(*node_))) {
+  if (interior_texture_given_ && !resolve_textures(*node_).texture) {
     parser_.error("an interior_texture needs a texture on the outside, too");
   }
+  return close(what);
+}
+
+ObjectPtr ObjectBuilder::close(const char* what) {
   parser_.expect_close(what);
-  return node_;
+  return std::move(node_);
 }
 
 bool ObjectBuilder::accept_modifier() {
   Transform transform;
   if (accept_transformation(parser_, transform)) {
-    if (!textures_.uv_mapping) {
-      textures_.texture = transformed(textures_.texture, transform);
-      textures_.interior_texture = transformed(textures_.interior_texture, transform);
-    }
     add(transform);
     return true;
   }
@@ -67,23 +114,22 @@ bool ObjectBuilder::accept_modifier() {
   return true;
 }
 
-void ObjectBuilder::set_texture(TexturePtr texture) {
-  textures_.texture = std::move(texture);
-  add(SetTexture{textures_.texture});
-}
+void ObjectBuilder::set_texture(TexturePtr texture) { add(SetTexture{std::move(texture)}); }
 
 // The texture that `pigment{}` and its like change: the object's, or a copy of the default one.
 TexturePtr ObjectBuilder::texture_to_modify() {
-  if (textures_.texture && textures_.texture->kind != TextureNode::Kind::plain) {
+  const TexturePtr texture = resolve_textures(*node_).texture;
+  if (texture && texture->kind != TextureNode::Kind::plain) {
     parser_.error("a patterned texture cannot be changed by a pigment, normal or finish here");
   }
-  return textures_.texture ? textures_.texture : default_texture(parser_);
+  return texture ? texture : default_texture(parser_);
 }
 
 bool ObjectBuilder::accept_texture_item() {
   if (parser_.accept(Keyword::texture)) {
     const TexturePtr top = parse_texture(parser_);
-    set_texture(textures_.texture ? layer_texture(parser_, textures_.texture, top) : top);
+    const TexturePtr below = resolve_textures(*node_).texture;
+    set_texture(below ? layer_texture(parser_, below, top) : top);
   } else if (parser_.accept(Keyword::pigment)) {
     auto texture = std::make_shared<TextureNode>(*texture_to_modify());
     texture->pigment = parse_pigment(parser_, texture->pigment);
@@ -98,26 +144,21 @@ bool ObjectBuilder::accept_texture_item() {
     set_texture(texture);
   } else if (parser_.accept(Keyword::interior_texture)) {
     const TexturePtr top = parse_texture(parser_);
-    textures_.interior_texture =
-        textures_.interior_texture ? layer_texture(parser_, textures_.interior_texture, top) : top;
-    add(SetInteriorTexture{textures_.interior_texture});
+    const TexturePtr below = resolve_textures(*node_).interior_texture;
+    add(SetInteriorTexture{below ? layer_texture(parser_, below, top) : top});
+    interior_texture_given_ = true;
   } else if (parser_.accept(Keyword::interior)) {
-    textures_.interior = parse_interior(parser_);
-    add(SetInterior{textures_.interior});
+    add(SetInterior{parse_interior(parser_)});
   } else if (parser_.accept(Keyword::material)) {
     const auto material = parse_material(parser_);
     if (material->texture) set_texture(material->texture);
     if (material->interior_texture) {
-      textures_.interior_texture = material->interior_texture;
-      add(SetInteriorTexture{textures_.interior_texture});
+      add(SetInteriorTexture{material->interior_texture});
+      interior_texture_given_ = true;
     }
-    if (material->interior) {
-      textures_.interior = material->interior;
-      add(SetInterior{textures_.interior});
-    }
+    if (material->interior) add(SetInterior{material->interior});
   } else if (parser_.accept(Keyword::uv_mapping)) {
-    if (textures_.texture) parser_.error("uv_mapping must come before the texture");
-    textures_.uv_mapping = true;
+    if (resolve_textures(*node_).texture) parser_.error("uv_mapping must come before the texture");
     add(SetFlag{ObjectFlag::uv_mapping, true});
   } else {
     return false;
@@ -160,7 +201,7 @@ bool ObjectBuilder::accept_flag() {
     if (!csg || (csg->kind != CsgKind::union_ && csg->kind != CsgKind::merge)) {
       parser_.error("split_union belongs to unions only");
     }
-    add(SetFlag{ObjectFlag::split_union, parser_.parse_float() != 0});
+    add(SetFlag{ObjectFlag::split_union, parser_.parse_float() > 0});
   } else if (parser_.accept(Keyword::cutaway_textures)) {
     const auto* csg = std::get_if<CsgNode>(&shape_of(*node_));
     if (!csg || (csg->kind != CsgKind::intersection && csg->kind != CsgKind::difference)) {
@@ -192,17 +233,17 @@ void ObjectBuilder::parse_clips(bool bounds) {
   const char* what = bounds ? "bounded_by" : "clipped_by";
   parser_.expect_open(what);
   if (parser_.accept(bounds ? Keyword::clipped_by : Keyword::bounded_by)) {
-    if (bounds) {
-      add(ShareClipsAsBounds{});
-    } else {
-      add(ShareBoundsAsClips{});
-    }
+    link_clips(bounds);
     parser_.expect_close(what);
     return;
   }
+  if (clip_state(*node_).linked) {
+    parser_.error(std::string(what) +
+                  " cannot be extended once the object uses the same list for both");
+  }
   std::vector<ObjectPtr> objects;
   while (ObjectPtr object = parse_object(parser_)) {
-    if (!is_solid(*object) || resolve_textures(*object).texture) {
+    if (!is_solid(*object) || is_textured(*object)) {
       parser_.error(std::string(what) + " takes solid objects without textures only");
     }
     objects.push_back(std::move(object));
@@ -210,13 +251,7 @@ void ObjectBuilder::parse_clips(bool bounds) {
   if (objects.empty()) parser_.error_expected("an object");
   Transform all = parse_transformations(parser_);
   if (!all.is_identity()) {
-    for (ObjectPtr& object : objects) {
-      auto moved = std::make_shared<ObjectNode>();
-      moved->base = object;
-      moved->position = object->position;
-      moved->modifiers.push_back(all);
-      object = moved;
-    }
+    for (ObjectPtr& object : objects) object = with_modifier(std::move(object), all);
   }
   if (bounds) {
     add(AddBounds{std::move(objects)});
@@ -224,6 +259,41 @@ void ObjectBuilder::parse_clips(bool bounds) {
     add(AddClips{std::move(objects)});
   }
   parser_.expect_close(what);
+}
+
+// bounded_by{clipped_by} and clipped_by{bounded_by}: one list serves as both.
+void ObjectBuilder::link_clips(bool bounds) {
+  const ClipState state = clip_state(*node_);
+  if (bounds ? state.has_bounds : state.has_clips) {
+    parser_.error(bounds ? "the object has bounds already: clipped_by cannot serve as them, too"
+                         : "the object has clips already: bounded_by cannot serve as them, too");
+  }
+  if (bounds) {
+    add(ShareClipsAsBounds{});
+  } else {
+    add(ShareBoundsAsClips{});
+  }
+}
+
+ObjectPtr with_modifier(ObjectPtr object, Modifier modifier) {
+  if (object.use_count() == 1) {
+    std::const_pointer_cast<ObjectNode>(object)->modifiers.push_back(std::move(modifier));
+    return object;
+  }
+  auto copy = std::make_shared<ObjectNode>();
+  copy->position = object->position;
+  copy->csg_depth = object->csg_depth;
+  copy->copy_depth = object->copy_depth + 1;
+  copy->base = std::move(object);
+  copy->modifiers.push_back(std::move(modifier));
+  return copy;
+}
+
+bool is_textured(const ObjectNode& object) {
+  if (resolve_textures(object).texture) return true;
+  const auto* csg = std::get_if<CsgNode>(&shape_of(object));
+  return csg && std::any_of(csg->children.begin(), csg->children.end(),
+                            [](const ObjectPtr& child) { return is_textured(*child); });
 }
 
 bool is_solid(const ObjectNode& object) {
@@ -240,7 +310,6 @@ bool is_solid(const ObjectNode& object) {
   }
   return !std::holds_alternative<TriangleNode>(shape) &&
          !std::holds_alternative<SmoothTriangleNode>(shape) &&
-         !std::holds_alternative<PolygonNode>(shape) && !std::holds_alternative<DiscNode>(shape) &&
          !std::holds_alternative<BicubicPatchNode>(shape) &&
          !std::holds_alternative<ParametricNode>(shape) &&
          !std::holds_alternative<std::shared_ptr<const LightNode>>(shape);

@@ -14,12 +14,8 @@ namespace {
 
 // An object that has no texture when its outermost statement ends gets the default texture of that
 // moment, for itself and its untextured members (spec/language.md 20).
-ObjectPtr with_default_texture(Parser& parser, const ObjectPtr& object) {
-  auto wrapped = std::make_shared<ObjectNode>();
-  wrapped->base = object;
-  wrapped->position = object->position;
-  wrapped->modifiers.push_back(SetDefaultTexture{default_texture(parser)});
-  return wrapped;
+ObjectPtr with_default_texture(Parser& parser, ObjectPtr object) {
+  return with_modifier(std::move(object), SetDefaultTexture{default_texture(parser)});
 }
 
 void add_camera(Parser& parser) {
@@ -36,7 +32,7 @@ void add_camera(Parser& parser) {
 bool parse_statement(Parser& parser) {
   Scene& scene = parser.scene();
   if (ObjectPtr object = parse_object(parser)) {
-    scene.objects.push_back(with_default_texture(parser, object));
+    scene.objects.push_back(with_default_texture(parser, std::move(object)));
   } else if (parser.accept(Keyword::camera)) {
     add_camera(parser);
   } else if (parser.accept(Keyword::global_settings)) {

@@ -2,16 +2,23 @@
 
 namespace durer {
 
+ObjectNode::~ObjectNode() {
+  while (base && base.use_count() == 1) {
+    const auto dying = std::const_pointer_cast<ObjectNode>(base);
+    base = std::move(dying->base);
+  }
+}
+
 const ShapeNode& shape_of(const ObjectNode& object) {
   const ObjectNode* node = &object;
   while (!node->shape) node = node->base.get();
   return *node->shape;
 }
 
-ResolvedTextures resolve_textures(const ObjectNode& object) {
-  ResolvedTextures state;
-  if (object.base) state = resolve_textures(*object.base);
-  for (const Modifier& modifier : object.modifiers) {
+namespace {
+
+void apply_modifiers(const ObjectNode& node, ResolvedTextures& state) {
+  for (const Modifier& modifier : node.modifiers) {
     if (const auto* transform = std::get_if<Transform>(&modifier)) {
       // A uv-mapped texture stays with the surface.
       if (state.uv_mapping) continue;
@@ -26,6 +33,19 @@ ResolvedTextures resolve_textures(const ObjectNode& object) {
     } else if (const auto* flag = std::get_if<SetFlag>(&modifier)) {
       if (flag->flag == ObjectFlag::uv_mapping) state.uv_mapping = flag->value;
     }
+  }
+}
+
+}  // namespace
+
+ResolvedTextures resolve_textures(const ObjectNode& object) {
+  // From the shape's own statement to the last copy.
+  std::vector<const ObjectNode*> chain;
+  for (const ObjectNode* node = &object; node; node = node->base.get()) chain.push_back(node);
+  ResolvedTextures state;
+  while (!chain.empty()) {
+    apply_modifiers(*chain.back(), state);
+    chain.pop_back();
   }
   return state;
 }

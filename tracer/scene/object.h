@@ -43,11 +43,19 @@ using Modifier = std::variant<Transform, SetTexture, SetDefaultTexture, SetInter
                               SetPhotons, SetRadiosityImportance>;
 
 struct ObjectNode {
+  ObjectNode() = default;
+  ObjectNode(const ObjectNode&) = default;
+  ObjectNode& operator=(const ObjectNode&) = default;
+  // Takes a chain of copies of copies apart without recursion.
+  ~ObjectNode();
+
   // Exactly one of these: the statement's own shape, or the object that it copies.
   std::shared_ptr<const ShapeNode> shape;
   ObjectPtr base;
   std::vector<Modifier> modifiers;
   SourcePosition position;
+  // Levels of CSG below this object, and of copies of copies: the parser bounds both.
+  int csg_depth = 0, copy_depth = 0;
 };
 
 // The textures that an object handle has after its modifiers (what `pigment{}` in a copy starts

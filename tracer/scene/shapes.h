@@ -96,7 +96,7 @@ struct SphereSweepNode {
   SplineKind spline = SplineKind::linear;
   std::vector<Vec3> centers;
   std::vector<double> radii;
-  double tolerance = 1e-6;
+  double tolerance = 1e-6;  // hits nearer than this are dropped
 };
 struct BlobComponent {
   bool is_cylinder = false;

@@ -90,10 +90,6 @@ ShapeNode parse_blob(Parser& parser) {
     }
   }
   if (node.components.empty()) parser.error("a blob needs at least one component");
-  if (node.threshold <= 0) parser.error("a blob's threshold must be positive");
-  for (const BlobComponent& component : node.components) {
-    if (component.radius <= 0) parser.error("the radius of a blob's component must be positive");
-  }
   return node;
 }
 

@@ -1,4 +1,7 @@
 // julia_fractal (spec/geometry.md 12.15).
+#include <algorithm>
+#include <cmath>
+
 #include "parser/parser.h"
 #include "parser/statements/shapes/shape_parsers.h"
 
@@ -19,7 +22,7 @@ ShapeNode parse_julia_fractal(Parser& parser) {
       {Keyword::cosh, Function::cosh},   {Keyword::acosh, Function::acosh},
       {Keyword::tan, Function::tan},     {Keyword::atan, Function::atan},
       {Keyword::tanh, Function::tanh},   {Keyword::atanh, Function::atanh},
-      {Keyword::log, Function::log},     {Keyword::ln, Function::log},
+      {Keyword::ln, Function::log},
   };
   JuliaFractalNode node;
   node.parameter = parser.parse_vec4();
@@ -33,8 +36,7 @@ ShapeNode parse_julia_fractal(Parser& parser) {
     }
     if (matched) continue;
     if (parser.accept(Keyword::max_iteration)) {
-      node.max_iteration = parser.parse_int();
-      if (node.max_iteration <= 0) parser.error("max_iteration must be positive");
+      node.max_iteration = std::max(1, parser.parse_int());
     } else if (parser.accept(Keyword::slice)) {
       node.slice = parser.parse_vec4();
       parser.accept_comma();
@@ -42,9 +44,11 @@ ShapeNode parse_julia_fractal(Parser& parser) {
       if (glm::dot(node.slice, node.slice) == 0) {
         parser.error("the normal of a slice must not be the zero vector");
       }
+      if (std::abs(node.slice.w) < 1e-10) {
+        parser.error("the fourth component of a slice's normal must not be zero");
+      }
     } else if (parser.accept(Keyword::precision)) {
-      node.precision = parser.parse_float();
-      if (node.precision < 1) parser.error("precision must be at least 1");
+      node.precision = std::max(1.0, parser.parse_float());
     } else if (parser.accept(Keyword::quaternion)) {
       node.algebra = JuliaFractalNode::Algebra::quaternion;
     } else if (parser.accept(Keyword::hypercomplex)) {

@@ -3,7 +3,6 @@
 
 #include "parser/parser.h"
 #include "parser/statements/shapes/shape_parsers.h"
-#include "parser/statements/textures.h"
 
 namespace durer {
 namespace {
@@ -14,19 +13,21 @@ class MeshReader {
 
   void triangle(bool smooth) {
     parser_.expect_open(smooth ? "smooth_triangle" : "triangle");
-    const size_t face = mesh_.face_vertices.size();
-    std::array<int32_t, 3> vertex, normal{-1, -1, -1};
+    std::array<Vec3, 3> vertex, normal;
     for (int i = 0; i < 3; ++i) {
-      vertex[i] = static_cast<int32_t>(mesh_.vertices.size());
-      mesh_.vertices.emplace_back(parser_.parse_vector());
+      vertex[i] = parser_.parse_vector();
       parser_.accept_comma();
       if (!smooth) continue;
-      normal[i] = static_cast<int32_t>(mesh_.normals.size());
-      mesh_.normals.emplace_back(normalize_or_zero(parser_.parse_vector()));
+      normal[i] = unit_normal(parser_.parse_vector());
       parser_.accept_comma();
     }
-    mesh_.face_vertices.push_back(vertex);
-    if (smooth) set(mesh_.face_normals, face, normal);
+    // A triangle without area is left out; its items are read all the same.
+    const bool keep = length(cross(vertex[2] - vertex[0], vertex[1] - vertex[0])) > 0;
+    const size_t face = mesh_.face_vertices.size();
+    if (keep) {
+      mesh_.face_vertices.push_back(append(mesh_.vertices, vertex));
+      if (smooth) set(mesh_.face_normals, face, append(mesh_.normals, normal));
+    }
     for (;;) {
       if (parser_.accept(Keyword::uv_vectors)) {
         std::array<int32_t, 3> uv;
@@ -35,25 +36,21 @@ class MeshReader {
           mesh_.uv.push_back(parser_.parse_uv());
           parser_.accept_comma();
         }
-        set(mesh_.face_uv, face, uv);
+        if (keep) set(mesh_.face_uv, face, uv);
       } else if (parser_.accept(Keyword::texture)) {
-        const int32_t index = texture_index(parse_texture(parser_));
-        set(mesh_.face_textures, face, {index, index, index});
+        parser_.expect_open("texture");
+        const int32_t index = parse_texture_index();
+        parser_.expect_close("texture");
+        if (keep) set(mesh_.face_textures, face, {index, index, index});
       } else if (parser_.accept(Keyword::texture_list)) {
         parser_.expect_open("texture_list");
         std::array<int32_t, 3> list;
         for (int32_t& index : list) {
-          if (auto named = parser_.accept_identifier<TextureNode>(ValueKind::texture)) {
-            index = texture_index(named);
-          } else if (parser_.accept(Keyword::texture)) {
-            index = texture_index(parse_texture(parser_));
-          } else {
-            parser_.error_expected("a texture");
-          }
+          index = parse_texture_index();
           parser_.accept_comma();
         }
         parser_.expect_close("texture_list");
-        set(mesh_.face_textures, face, list);
+        if (keep) set(mesh_.face_textures, face, list);
       } else {
         break;
       }
@@ -75,7 +72,22 @@ class MeshReader {
     list.resize(face, {-1, -1, -1});
     list.push_back(value);
   }
-  int32_t texture_index(const TexturePtr& texture) {
+  Vec3 unit_normal(const Vec3& given) {
+    if (length(given) > 0) return normalize_or_zero(given);
+    if (!warned_) parser_.warning("a normal of this mesh is the zero vector; <1,0,0> is used");
+    warned_ = true;
+    return {1, 0, 0};
+  }
+  static std::array<int32_t, 3> append(std::vector<glm::vec3>& list,
+                                       const std::array<Vec3, 3>& items) {
+    const auto first = static_cast<int32_t>(list.size());
+    for (const Vec3& item : items) list.emplace_back(item);
+    return {first, first + 1, first + 2};
+  }
+  // A mesh's triangles take declared textures only, so that they can share them.
+  int32_t parse_texture_index() {
+    const auto texture = parser_.accept_identifier<TextureNode>(ValueKind::texture);
+    if (!texture) parser_.error_expected("the name of a declared texture");
     const auto [it, is_new] =
         index_.try_emplace(texture.get(), static_cast<int32_t>(mesh_.textures.size()));
     if (is_new) mesh_.textures.push_back(texture);
@@ -85,6 +97,7 @@ class MeshReader {
   Parser& parser_;
   MeshNode& mesh_;
   std::map<const TextureNode*, int32_t> index_;
+  bool warned_ = false;
 };
 
 }  // namespace

@@ -77,10 +77,7 @@ void parse_faces(Parser& parser, MeshNode& mesh) {
       parser.parse_literal_vectors(mesh.face_vertices, count - mesh.face_vertices.size());
       if (mesh.face_vertices.size() == count) break;
     }
-    const Vec3 v = parser.parse_vector();
-    parser.accept_comma();
-    mesh.face_vertices.push_back(
-        {static_cast<int32_t>(v.x), static_cast<int32_t>(v.y), static_cast<int32_t>(v.z)});
+    mesh.face_vertices.push_back(parse_indices(parser));
     if (textures == 0) continue;
     std::array<int32_t, 3> list{-1, -1, -1};
     if (parser.at_expression() && !parser.at(Symbol::less)) {
@@ -106,58 +103,94 @@ void parse_faces(Parser& parser, MeshNode& mesh) {
 void parse_textures(Parser& parser, MeshNode& mesh) {
   const size_t count = parse_count(parser, "texture_list");
   for (size_t i = 0; i < count; ++i) {
-    if (parser.accept(Keyword::texture)) {
-      mesh.textures.push_back(parse_texture(parser));
-    } else if (auto named = parser.accept_identifier<TextureNode>(ValueKind::texture)) {
-      mesh.textures.push_back(std::move(named));
-    } else {
-      parser.error_expected("a texture");
-    }
+    if (!parser.accept(Keyword::texture)) parser.error_expected("texture");
+    mesh.textures.push_back(parse_texture(parser));
     parser.accept_comma();
   }
   parser.expect_close("texture_list");
+}
+
+// The points' lists, in any order; the list of textures ends them.
+void parse_point_lists(Parser& parser, MeshNode& mesh) {
+  bool has_vertices = false;
+  const auto fresh = [&](bool is_again, const char* what) {
+    if (is_again) {
+      parser.warning(std::string("this mesh2 has a second list of ") + what +
+                     "; the first is forgotten");
+    }
+  };
+  for (;;) {
+    if (parser.accept(Keyword::vertex_vectors)) {
+      fresh(has_vertices, "vertex_vectors");
+      mesh.vertices.clear();
+      parse_list(parser, "vertex_vectors", mesh.vertices);
+      has_vertices = true;
+    } else if (parser.accept(Keyword::normal_vectors)) {
+      fresh(!mesh.normals.empty(), "normal_vectors");
+      mesh.normals.clear();
+      parse_list(parser, "normal_vectors", mesh.normals);
+    } else if (parser.accept(Keyword::uv_vectors)) {
+      fresh(!mesh.uv.empty(), "uv_vectors");
+      mesh.uv.clear();
+      parse_list(parser, "uv_vectors", mesh.uv);
+    } else {
+      break;
+    }
+  }
+  if (mesh.vertices.empty()) parser.error("a mesh2 needs vertex_vectors");
+  if (parser.accept(Keyword::texture_list)) parse_textures(parser, mesh);
+
+  bool zero_normal = false;
+  for (glm::vec3& n : mesh.normals) {
+    const Vec3 given(n);
+    zero_normal |= length(given) == 0;
+    n = length(given) == 0 ? Vec3(1, 0, 0) : normalize_or_zero(given);
+  }
+  if (zero_normal) parser.warning("a normal of this mesh2 is the zero vector; <1,0,0> is used");
+}
+
+// Lists of indices that were left out go with the vertices.
+void complete_indices(Parser& parser, MeshNode& mesh) {
+  if (!mesh.normals.empty() && mesh.face_normals.empty()) {
+    if (mesh.normals.size() != mesh.vertices.size()) {
+      parser.error("this mesh2 needs normal_indices: it has not as many normals as vertices");
+    }
+    mesh.face_normals = mesh.face_vertices;
+  }
+  if (!mesh.uv.empty() && mesh.face_uv.empty()) {
+    if (mesh.uv.size() == mesh.vertices.size()) {
+      mesh.face_uv = mesh.face_vertices;
+    } else if (mesh.uv.size() == 1) {
+      mesh.face_uv.assign(mesh.face_vertices.size(), {0, 0, 0});
+    } else {
+      parser.error("this mesh2 needs uv_indices: it has not as many uv_vectors as vertices");
+    }
+  }
 }
 
 }  // namespace
 
 ShapeNode parse_mesh2(Parser& parser) {
   MeshNode mesh;
-  if (!parser.accept(Keyword::vertex_vectors)) parser.error_expected("vertex_vectors");
-  parse_list(parser, "vertex_vectors", mesh.vertices);
-  for (;;) {
-    if (parser.accept(Keyword::normal_vectors)) {
-      parse_list(parser, "normal_vectors", mesh.normals);
-      for (glm::vec3& n : mesh.normals) n = normalize_or_zero(Vec3(n));
-    } else if (parser.accept(Keyword::uv_vectors)) {
-      parse_list(parser, "uv_vectors", mesh.uv);
-    } else if (parser.accept(Keyword::texture_list)) {
-      parse_textures(parser, mesh);
-    } else {
-      break;
-    }
-  }
+  parse_point_lists(parser, mesh);
   if (!parser.accept(Keyword::face_indices)) parser.error_expected("face_indices");
   parse_faces(parser, mesh);
+  if (mesh.face_vertices.empty()) parser.error("a mesh2 needs at least one face");
   check_range(parser, mesh.face_vertices, mesh.vertices.size(), "face_indices");
 
   for (;;) {
     if (parser.accept(Keyword::normal_indices)) {
+      mesh.face_normals.clear();
       parse_index_list(parser, "normal_indices", mesh.face_normals);
     } else if (parser.accept(Keyword::uv_indices)) {
+      mesh.face_uv.clear();
       parse_index_list(parser, "uv_indices", mesh.face_uv);
-    } else if (parser.accept(Keyword::inside_vector)) {
-      mesh.inside_vector = parser.parse_vector();
     } else {
       break;
     }
   }
-  // Left out, the lists of normals and uv points go with the vertices.
-  if (!mesh.normals.empty() && mesh.face_normals.empty()) {
-    if (mesh.normals.size() == mesh.vertices.size()) mesh.face_normals = mesh.face_vertices;
-  }
-  if (!mesh.uv.empty() && mesh.face_uv.empty() && mesh.uv.size() == mesh.vertices.size()) {
-    mesh.face_uv = mesh.face_vertices;
-  }
+  if (parser.accept(Keyword::inside_vector)) mesh.inside_vector = parser.parse_vector();
+  complete_indices(parser, mesh);
   const size_t faces = mesh.face_vertices.size();
   if (mesh.face_normals.size() > faces || mesh.face_uv.size() > faces) {
     parser.error("there are more normal or uv indices than faces");

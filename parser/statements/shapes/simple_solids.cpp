@@ -40,7 +40,9 @@ ShapeNode parse_box(Parser& parser) {
 ShapeNode parse_plane(Parser& parser) {
   PlaneNode node;
   node.normal = vector_then_comma(parser);
-  if (length(node.normal) == 0) parser.error("a plane's normal must not be the zero vector");
+  if (length(node.normal) < kEpsilon) {
+    parser.error("a plane's normal must not be the zero vector");
+  }
   node.normal = normalize_or_zero(node.normal);
   node.distance = parser.parse_float();
   return node;
@@ -75,7 +77,8 @@ ShapeNode parse_disc(Parser& parser) {
   DiscNode node;
   node.center = vector_then_comma(parser);
   node.normal = vector_then_comma(parser);
-  if (length(node.normal) == 0) parser.error("a disc's normal must not be the zero vector");
+  // Accepted, but nothing will be seen.
+  if (length(node.normal) == 0) parser.warning("a disc's normal is the zero vector");
   node.normal = normalize_or_zero(node.normal);
   node.radius = float_then_comma(parser);
   node.hole_radius = parser.parse_optional_float(0);
@@ -101,6 +104,10 @@ ShapeNode parse_ovus(Parser& parser) {
   node.top_radius = parser.parse_float();
   if (node.bottom_radius < 0 || node.top_radius < 0) {
     parser.error("the radii of an ovus must not be negative");
+  }
+  if (node.top_radius >= 2 * node.bottom_radius) {
+    parser.warning("the top radius of this ovus is at least twice the bottom one: it is a sphere");
+    return SphereNode{{0, node.bottom_radius, 0}, node.top_radius};
   }
   return node;
 }

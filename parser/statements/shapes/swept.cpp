@@ -1,4 +1,6 @@
 // lathe, sor, prism, sphere_sweep: shapes swept out by curves (spec/geometry.md 12.8-12.12).
+#include <cmath>
+
 #include "parser/parser.h"
 #include "parser/statements/shapes/shape_parsers.h"
 
@@ -40,6 +42,61 @@ std::vector<Vec2> parse_points(Parser& parser, int count) {
   return points;
 }
 
+constexpr double kEpsilon = 1e-10;
+
+bool same_point(const Vec2& a, const Vec2& b) {
+  return std::abs(a.x - b.x) < kEpsilon && std::abs(a.y - b.y) < kEpsilon;
+}
+
+constexpr const char* kNotClosed = "the curve of this prism is not closed: it cannot be seen";
+
+// A prism's outline is made of closed curves, each of which begins after the one before has come
+// back to its start (spec/geometry.md 12.11).
+void close_linear(Parser& parser, std::vector<Vec2>& points) {
+  size_t start = 0;
+  bool open = false;
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (!open) {
+      start = i;
+      open = true;
+    } else if (same_point(points[i], points[start])) {
+      open = false;
+    }
+  }
+  if (open) {
+    parser.warning("the outline of this prism is not closed; its first point is added at the end");
+    points.push_back(points[start]);
+  }
+}
+
+// Quadratic and cubic curves: closed when the second point comes again; `step` points on, the next
+// curve has its second point.
+void check_curve(Parser& parser, const std::vector<Vec2>& points, size_t step) {
+  size_t reference = 1;
+  bool closed = false;
+  for (size_t i = 2; i < points.size(); ++i) {
+    closed = same_point(points[i], points[reference]);
+    if (!closed) continue;
+    reference = i + step;
+    if (reference >= points.size()) break;
+    i = reference;
+    closed = false;
+  }
+  if (!closed) parser.warning(kNotClosed);
+}
+
+// Each segment starts where the one before ends, or a closed curve ends there.
+void check_bezier(Parser& parser, const std::vector<Vec2>& points) {
+  size_t start = 0;
+  bool closed = true;
+  for (size_t i = 0; i + 3 < points.size(); i += 4) {
+    if (i > start && !closed && !same_point(points[i], points[i - 1])) break;
+    if (closed) start = i;
+    closed = same_point(points[i + 3], points[start]);
+  }
+  if (!closed) parser.warning(kNotClosed);
+}
+
 int least_points(SplineKind kind) {
   switch (kind) {
     case SplineKind::linear:
@@ -62,6 +119,11 @@ ShapeNode parse_lathe(Parser& parser) {
     parser.error("a bezier_spline takes four points for each segment");
   }
   node.points = parse_points(parser, count);
+  for (int i = 1; i < count - 1; ++i) {
+    if (node.points[i].x < 0) {
+      parser.error("the radii of a lathe must not be negative, but for the first and last");
+    }
+  }
   return node;
 }
 
@@ -70,12 +132,14 @@ ShapeNode parse_sor(Parser& parser) {
   const int count = parse_count(parser, 4, "a sor");
   node.points = parse_points(parser, count);
   node.open = parser.accept(Keyword::open);
+  const std::vector<Vec2>& points = node.points;
   for (int i = 0; i < count; ++i) {
-    const bool inner = i > 0 && i < count - 1;
-    if (inner && node.points[i].x < 0) parser.error("the radii of a sor must not be negative");
-    if (i > 1 && inner && node.points[i].y <= node.points[i - 1].y) {
-      parser.error("the heights of a sor must increase from point to point");
-    }
+    if (points[i].x < 0) parser.error("the radii of a sor must not be negative");
+    // The first and the last point only bend the curve, and may stand anywhere but level with the
+    // point after next.
+    const bool falls = i >= 2 && i <= count - 2 && points[i].y <= points[i - 1].y;
+    const bool level = i >= 2 && std::abs(points[i].y - points[i - 2].y) < kEpsilon;
+    if (falls || level) parser.error("the heights of a sor must increase from point to point");
   }
   return node;
 }
@@ -97,8 +161,8 @@ ShapeNode parse_prism(Parser& parser) {
   node.height2 = parser.parse_float();
   parser.accept_comma();
   const int least = node.spline == SplineKind::linear      ? 3
-                    : node.spline == SplineKind::quadratic ? 4
-                    : node.spline == SplineKind::cubic     ? 5
+                    : node.spline == SplineKind::quadratic ? 5
+                    : node.spline == SplineKind::cubic     ? 6
                                                            : 4;
   const int count = parse_count(parser, least, "this prism");
   if (node.spline == SplineKind::bezier && count % 4 != 0) {
@@ -106,6 +170,13 @@ ShapeNode parse_prism(Parser& parser) {
   }
   node.points = parse_points(parser, count);
   node.open = parser.accept(Keyword::open);
+  if (node.spline == SplineKind::linear) {
+    close_linear(parser, node.points);
+  } else if (node.spline == SplineKind::bezier) {
+    check_bezier(parser, node.points);
+  } else {
+    check_curve(parser, node.points, node.spline == SplineKind::cubic ? 3 : 2);
+  }
   return node;
 }
 
@@ -129,7 +200,6 @@ ShapeNode parse_sphere_sweep(Parser& parser) {
     node.radii.push_back(parser.parse_float());
     parser.accept_comma();
   }
-  node.tolerance = node.spline == SplineKind::linear ? 0 : 1e-6;
   if (parser.accept(Keyword::tolerance)) node.tolerance = parser.parse_float();
   return node;
 }
