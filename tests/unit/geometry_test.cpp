@@ -263,7 +263,7 @@ TEST(World, SharesCopiesOfBigUnions) {
   const auto a = World::build(shared, {}), b = World::build(whole, {});
   EXPECT_LT(a->interiors().size(), 20u);
   int hits = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 12000; ++i) {
     const Vec3 origin(10 * uniform(random) + 4, 10 * uniform(random) + 3, -8);
     const Vec3 direction = normalize_or_zero({0.2 * uniform(random), 0.2 * uniform(random), 1});
     Hit hit, other;
