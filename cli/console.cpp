@@ -73,7 +73,9 @@ void Console::status(const std::string& text) {
 void Console::diagnostic(const Diagnostic& message) {
   const bool error = message.severity == Severity::error;
   if (!error) ++warnings_;
-  line(error ? Stream::fatal : Stream::warning, message.formatted());
+  std::string text = message.formatted();
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  line(error ? Stream::fatal : Stream::warning, text);
 }
 
 void Console::debug_line(const std::string& text) { line(Stream::debug, text); }

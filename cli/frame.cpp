@@ -67,6 +67,10 @@ ParseOptions parse_options(const Options& options, const FrameSettings& frame, C
   return parse;
 }
 
+std::string counted(int number, const char* what) {
+  return std::to_string(number) + what + (number == 1 ? "" : "s");
+}
+
 bool exists_and_not_empty(const std::string& path) {
   struct stat status;
   return stat(path.c_str(), &status) == 0 && status.st_size > 0;
@@ -139,8 +143,8 @@ class FrameRenderer {
   void report_reading() {
     console_.line(Stream::render,
                   frame_.scene_path + ": no mistakes found, " +
-                      std::to_string(statistics_.warnings) + " warnings, " +
-                      std::to_string(statistics_.objects) + " objects (" +
+                      counted(statistics_.warnings, " warning") + ", " +
+                      counted(static_cast<int>(statistics_.objects), " object") + " (" +
                       duration_text(statistics_.parse_seconds) + ")");
   }
 

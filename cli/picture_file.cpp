@@ -1,5 +1,9 @@
 #include "cli/picture_file.h"
 
+#include <unistd.h>
+
+#include <cstdio>
+
 #include "cli/output_name.h"
 #include "tracer/image/png_writer.h"
 
@@ -39,7 +43,13 @@ PixelFormat pixel_format(const Options& options, const Scene& scene) {
 
 void write_picture(const std::string& path, const Framebuffer& picture, const Options& options,
                    const Scene& scene) {
-  write_png(path, picture, pixel_format(options, scene));
+  const PixelFormat format = pixel_format(options, scene);
+  if (path == "stderr") {
+    // What goes to standard output from here on is the picture only.
+    std::fflush(stdout);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+  write_png(is_standard_stream(path) ? "-" : path, picture, format);
 }
 
 }  // namespace durer
