@@ -47,6 +47,9 @@ class PatternReader {
 
   PatternNode node;
   std::vector<double> list;  // grey values of a colour list
+  // Of normals: `bumps 0.5`, bump_size, accuracy, no_bump_scale.
+  double amount = 0.5, accuracy = 0.02;
+  bool no_bump_scale = false;
 
  private:
   bool at(const char* word) const { return next_ < words_.size() && words_[next_] == word; }
@@ -75,9 +78,9 @@ class PatternReader {
       if (!accept(">")) throw UnknownWord("long vector");
       return v;
     }
-    double factor = 1;
+    double factor = accept("-") ? -1 : 1;
     if (!at("x") && !at("y") && !at("z")) {
-      factor = number();
+      factor *= number();
       if (!accept("*")) return Vec3(factor);
     }
     if (accept("x")) return {factor, 0, 0};
@@ -92,6 +95,7 @@ class PatternReader {
   void read_function();
   void read_turbulence(Turbulence& turbulence);
   void read_color_list();
+  void read_slope();
 
   std::vector<std::string> words_;
   size_t next_ = 0;
@@ -114,6 +118,7 @@ inline bool PatternReader::read_kind() {
       {"brick", K::brick, true}, {"bumps", K::bumps, false}, {"cells", K::cells, false},
       {"checker", K::checker, true}, {"crackle", K::crackle, false}, {"cubic", K::cubic, true},
       {"cylindrical", K::cylindrical, false}, {"dents", K::dents, false},
+      {"facets", K::facets, false},
       {"granite", K::granite, false}, {"hexagon", K::hexagon, true},
       {"leopard", K::leopard, false}, {"onion", K::onion, false}, {"planar", K::planar, false},
       {"quilted", K::quilted, true}, {"radial", K::radial, false}, {"ripples", K::ripples, false},
@@ -142,6 +147,15 @@ inline bool PatternReader::read_kind() {
   if (accept("gradient")) {
     node.kind = K::gradient;
     node.gradient = vector();
+    return true;
+  }
+  if (accept("aoi")) {
+    node.kind = K::aoi;
+    return true;
+  }
+  if (accept("slope")) {
+    node.kind = K::slope;
+    read_slope();
     return true;
   }
   if (accept("tiling")) {
@@ -174,6 +188,31 @@ inline bool PatternReader::read_kind() {
     return true;
   }
   return false;
+}
+
+inline void PatternReader::read_slope() {
+  SlopeParameters& slope = node.slope;
+  if (!accept("{")) {
+    slope.direction = vector();
+    return;
+  }
+  slope.is_point = accept("point_at");
+  slope.direction = vector();
+  if (accept(",")) {
+    slope.low_slope = number();
+    accept(",");
+    slope.high_slope = number();
+  }
+  if (accept("altitude")) {
+    slope.has_altitude = true;
+    slope.altitude = vector();
+    if (accept(",")) {
+      slope.low_altitude = number();
+      accept(",");
+      slope.high_altitude = number();
+    }
+  }
+  if (!accept("}")) throw UnknownWord("in slope");
 }
 
 inline void PatternReader::read_function() {
@@ -234,7 +273,15 @@ inline void PatternReader::read_modifier() {
   } else if (word == "rgb") {
     --next_;
     read_color_list();
-  } else if (word == "frequency") node.frequency = static_cast<float>(number());
+  } else if (std::isdigit(static_cast<unsigned char>(word[0])) || word == "-") {
+    --next_;
+    amount = number();
+  } else if (word == "bump_size") amount = number();
+  else if (word == "accuracy") accuracy = number();
+  else if (word == "no_bump_scale") no_bump_scale = true;
+  else if (word == "size") node.facets.size = number();
+  else if (word == "coords") node.facets.coordinates_size = number();
+  else if (word == "frequency") node.frequency = static_cast<float>(number());
   else if (word == "phase") node.phase = static_cast<float>(number());
   else if (word == "ramp_wave") node.wave = WaveKind::ramp;
   else if (word == "triangle_wave") node.wave = WaveKind::triangle;
@@ -258,7 +305,7 @@ inline void PatternReader::read_modifier() {
   else if (word == "control1") node.quilt_control1 = static_cast<float>(number());
   else if (word == "brick_size") node.brick.size = vector();
   else if (word == "mortar") node.brick.mortar = number();
-  else if (word == "metric") node.crackle.metric = vector().x;
+  else if (word == "metric") node.crackle.metric = node.facets.metric = vector().x;
   else if (word == "offset") node.crackle.offset = number();
   else if (word == "solid") node.crackle.solid = true;
   else if (word == "form") {

@@ -19,6 +19,7 @@ DURER_PATTERN(crackle);
 DURER_PATTERN(cubic);
 DURER_PATTERN(cylindrical);
 DURER_PATTERN(dents);
+DURER_PATTERN(facets);
 DURER_PATTERN(function);
 DURER_PATTERN(gradient);
 DURER_PATTERN(granite);

@@ -28,7 +28,7 @@ constexpr Entry kEntries[] = {
     {K::cylindrical, "cylindrical", make_cylindrical},
     {K::density_file, "density_file", nullptr},
     {K::dents, "dents", make_dents},
-    {K::facets, "facets", nullptr},
+    {K::facets, "facets", make_facets},
     {K::function, "function", make_function},
     {K::gradient, "gradient", make_gradient},
     {K::granite, "granite", make_granite},

@@ -117,7 +117,7 @@ struct SlopeParameters {
 
 struct FacetsParameters {
   double coordinates_size = 0;  // `coords`
-  double size = 0;              // `size`
+  double size = 0.1;            // `size`
   double metric = 2;
 };
 

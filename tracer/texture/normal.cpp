@@ -1,6 +1,7 @@
 // Perturbed normals (spec/textures.md 14).
 #include <cmath>
 
+#include "tracer/patterns/facets.h"
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/wave_sources.h"
 #include "tracer/scene/not_supported.h"
@@ -168,6 +169,17 @@ class HeightBump : public Bump {
   std::shared_ptr<const SlopeMap> slope_map_;
 };
 
+class FacetsBump : public Bump {
+ public:
+  explicit FacetsBump(const FacetsParameters& facets) : facets_(facets) {}
+  Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
+    return facets_normal(facets_, q, n);
+  }
+
+ private:
+  FacetsParameters facets_;
+};
+
 std::unique_ptr<const Bump> make_bump(const NormalNode& node, const Pattern& pattern,
                                       const PatternSettings& settings) {
   const int generator =
@@ -185,6 +197,8 @@ std::unique_ptr<const Bump> make_bump(const NormalNode& node, const Pattern& pat
       return std::make_unique<WrinklesBump>(node.bump_size);
     case PatternKind::quilted:
       return std::make_unique<QuiltedBump>(node);
+    case PatternKind::facets:
+      return std::make_unique<FacetsBump>(node.pattern.facets);
     default:
       return std::make_unique<HeightBump>(node, pattern);
   }
@@ -296,8 +310,6 @@ std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
       return std::make_shared<AverageNormal>(node, settings);
     case PatternKind::bump_map:
       throw NotSupported("bump_map", node.pattern.position);
-    case PatternKind::facets:
-      throw NotSupported("facets", node.pattern.position);
     default:
       if (node.normal_map) return std::make_shared<MappedNormal>(node, settings);
       return std::make_shared<PatternNormal>(node, settings.patterns);
