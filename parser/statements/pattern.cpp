@@ -287,11 +287,9 @@ bool accept_pattern_modifier(Parser& parser, PatternNode& node) {
   } else if (parser.accept(Keyword::coords)) {
     belongs_to(facets, "facets");
     node.facets.coordinates_size = parser.parse_float();
-    node.facets.size = 1;
   } else if (parser.accept(Keyword::size)) {
     belongs_to(facets, "facets");
     node.facets.size = parser.parse_float();
-    node.facets.coordinates_size = 0;
   } else if (parser.accept(Keyword::exponent)) {
     belongs_to(fractal, "mandel or julia");
     node.fractal.exponent = parser.parse_int();

@@ -2,6 +2,7 @@
 // the words that the table uses; the language itself is the parser's.
 #pragma once
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <stdexcept>
@@ -35,7 +36,8 @@ class PatternReader {
       } else if (std::isdigit(static_cast<unsigned char>(text[i])) || text[i] == '.') {
         char* end = nullptr;
         std::strtod(text.c_str() + i, &end);
-        const size_t length = static_cast<size_t>(end - text.c_str()) - i;
+        const size_t length =
+            std::max<size_t>(1, static_cast<size_t>(end - text.c_str()) - i);
         words_.push_back(text.substr(i, length));
         i += length;
       } else {
@@ -149,6 +151,14 @@ inline bool PatternReader::read_kind() {
     node.gradient = vector();
     return true;
   }
+  if (accept("density_file")) {
+    node.kind = K::density_file;
+    accept("df3");
+    accept("\"");
+    while (!accept("\"")) node.density_file += words_.at(next_++);
+    node.density_file = std::string(DURER_SOURCE_DIR) + "/tests/data/" + node.density_file;
+    return true;
+  }
   if (accept("aoi")) {
     node.kind = K::aoi;
     return true;
@@ -183,7 +193,7 @@ inline bool PatternReader::read_kind() {
       accept(">");
       accept(",");
     }
-    if (magnet) node.fractal.exponent = magnet;
+    if (magnet) node.fractal.magnet_type = magnet;
     node.fractal.iterations = static_cast<int>(number());
     return true;
   }
@@ -300,6 +310,8 @@ inline void PatternReader::read_modifier() {
     --next_;
     node.has_turbulence = true;
     read_turbulence(node.turbulence);
+  } else if (word == "interpolate") {
+    node.density_interpolation = static_cast<int>(number());
   } else if (word == "agate_turb") node.agate_turbulence = static_cast<float>(number());
   else if (word == "control0") node.quilt_control0 = static_cast<float>(number());
   else if (word == "control1") node.quilt_control1 = static_cast<float>(number());

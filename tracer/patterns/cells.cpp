@@ -6,7 +6,9 @@
 //
 // Source: spec/textures.md 6, 6.4.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "tracer/math/lattice_hash.h"
 #include "tracer/patterns/noise.h"
@@ -25,35 +27,61 @@ class Cells : public BasePattern {
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
 };
 
+// The 81 cells that can hold one of the nearest points, near ones first.
+struct CellOffset {
+  int8_t x, y, z;
+};
+constexpr std::array<CellOffset, 81> kOffsets = [] {
+  std::array<CellOffset, 81> offsets{};
+  size_t count = 0;
+  for (int ring = 0; ring <= 6; ++ring) {
+    for (int x = -2; x <= 2; ++x) {
+      for (int y = -2; y <= 2; ++y) {
+        for (int z = -2; z <= 2; ++z) {
+          const int squared = x * x + y * y + z * z;
+          const int far = (x * x == 4) + (y * y == 4) + (z * z == 4);
+          if (squared == ring && far <= 1)
+            offsets[count++] = {static_cast<int8_t>(x), static_cast<int8_t>(y),
+                                static_cast<int8_t>(z)};
+        }
+      }
+    }
+  }
+  return offsets;
+}();
+
 class Crackle : public BasePattern {
  public:
   Crackle(const PatternNode& node, const PatternSettings& settings)
       : parameters_(node.crackle),
-        generator_(node.noise_generator ? node.noise_generator : settings.noise_generator) {}
+        generator_(node.noise_generator ? node.noise_generator : settings.noise_generator),
+        can_skip_(node.crackle.metric > 0) {}
 
   double base_value(const Vec3& p, const PatternContext&) const override {
     const Vec3 cell = glm::floor(p - Vec3(kEpsilon));
+    const Vec3 inside = p - cell;
     double nearest[3] = {1e300, 1e300, 1e300};
     Vec3 nearest_point(0);
-    for (int dx = -2; dx <= 2; ++dx) {
-      for (int dy = -2; dy <= 2; ++dy) {
-        for (int dz = -2; dz <= 2; ++dz) {
-          if ((std::abs(dx) == 2) + (std::abs(dy) == 2) + (std::abs(dz) == 2) > 1) continue;
-          const Vec3 candidate = cell + Vec3(dx, dy, dz);
-          const Vec3 feature = candidate + random_vector_of_cell(candidate);
-          const double distance = measure(feature - p);
-          if (distance < nearest[0]) {
-            nearest[2] = nearest[1];
-            nearest[1] = nearest[0];
-            nearest[0] = distance;
-            nearest_point = feature;
-          } else if (distance < nearest[1]) {
-            nearest[2] = nearest[1];
-            nearest[1] = distance;
-          } else if (distance < nearest[2]) {
-            nearest[2] = distance;
-          }
-        }
+    for (const CellOffset& offset : kOffsets) {
+      const Vec3 step(offset.x, offset.y, offset.z);
+      // A cell that lies further off than the third nearest point cannot change the answer.
+      if (can_skip_) {
+        const Vec3 gap = glm::max(Vec3(0), glm::max(step - inside, inside - step - Vec3(1)));
+        if (measure(gap) * (1 - 1e-12) >= nearest[2]) continue;
+      }
+      const Vec3 candidate = cell + step;
+      const Vec3 feature = candidate + random_vector_of_cell(candidate);
+      const double distance = measure(feature - p);
+      if (distance < nearest[0]) {
+        nearest[2] = nearest[1];
+        nearest[1] = nearest[0];
+        nearest[0] = distance;
+        nearest_point = feature;
+      } else if (distance < nearest[1]) {
+        nearest[2] = nearest[1];
+        nearest[1] = distance;
+      } else if (distance < nearest[2]) {
+        nearest[2] = distance;
       }
     }
     if (parameters_.solid) return std::clamp(noise(nearest_point, generator_), 0.0, 1.0);
@@ -79,6 +107,7 @@ class Crackle : public BasePattern {
 
   CrackleParameters parameters_;
   int generator_;
+  bool can_skip_;  // distance grows with each component
 };
 
 }  // namespace

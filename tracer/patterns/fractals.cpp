@@ -137,16 +137,15 @@ std::unique_ptr<const BasePattern> make_mandel(const PatternNode& node, const Pa
 std::unique_ptr<const BasePattern> make_julia(const PatternNode& node, const PatternSettings&) {
   return std::make_unique<Fractal<Map::julia>>(node.fractal);
 }
-// The node keeps a magnet's type, 1 or 2, as its exponent.
 std::unique_ptr<const BasePattern> make_magnet_mandel(const PatternNode& node,
                                                       const PatternSettings&) {
-  if (node.fractal.exponent == 1)
+  if (node.fractal.magnet_type == 1)
     return std::make_unique<Fractal<Map::magnet1_mandel>>(node.fractal);
   return std::make_unique<Fractal<Map::magnet2_mandel>>(node.fractal);
 }
 std::unique_ptr<const BasePattern> make_magnet_julia(const PatternNode& node,
                                                      const PatternSettings&) {
-  if (node.fractal.exponent == 1)
+  if (node.fractal.magnet_type == 1)
     return std::make_unique<Fractal<Map::magnet1_julia>>(node.fractal);
   return std::make_unique<Fractal<Map::magnet2_julia>>(node.fractal);
 }

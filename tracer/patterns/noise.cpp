@@ -51,58 +51,85 @@ constexpr double kLatticeFigures[267] = {
     -0.420127, -0.427878, 0.566186,
 };
 
-double s_curve(double f) { return f * f * (3 - 2 * f); }
+// The kernels are compiled for plain x86-64 and for AVX2 and chosen when the program starts: the same
+// expressions in the same order give the same bits. Sanitizers cannot run that choice.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define DURER_KERNEL __attribute__((target_clones("default", "arch=x86-64-v3")))
+#else
+#define DURER_KERNEL
+#endif
+#define DURER_INLINE [[gnu::always_inline]] inline
 
-// Where a point lies in the lattice: hashed corners and blending weights.
-struct LatticeCell {
-  int corner[8];   // index into kLatticeFigures; bit 0: x, bit 1: y, bit 2: z
-  double weight[8];
-  double fx, fy, fz;
+using Pair = double __attribute__((vector_size(16)));
+using Row = double __attribute__((vector_size(32)));
 
-  explicit LatticeCell(const Vec3& p) {
-    const int ix = locate(p.x, fx), iy = locate(p.y, fy), iz = locate(p.z, fz);
-    // Seven look-ups per half: x and xy are shared.
-    const int hx0 = kLatticeHash[ix], hx1 = kLatticeHash[ix + 1];
-    const int h00 = kLatticeHash[hx0 ^ iy], h10 = kLatticeHash[hx1 ^ iy];
-    const int h01 = kLatticeHash[hx0 ^ (iy + 1)], h11 = kLatticeHash[hx1 ^ (iy + 1)];
-    corner[0] = kLatticeHash[h00 ^ iz] & 255;
-    corner[1] = kLatticeHash[h10 ^ iz] & 255;
-    corner[2] = kLatticeHash[h01 ^ iz] & 255;
-    corner[3] = kLatticeHash[h11 ^ iz] & 255;
-    corner[4] = kLatticeHash[h00 ^ (iz + 1)] & 255;
-    corner[5] = kLatticeHash[h10 ^ (iz + 1)] & 255;
-    corner[6] = kLatticeHash[h01 ^ (iz + 1)] & 255;
-    corner[7] = kLatticeHash[h11 ^ (iz + 1)] & 255;
-    const double sx = s_curve(fx), sy = s_curve(fy), sz = s_curve(fz);
-    const double tx = 1 - sx, ty = 1 - sy, tz = 1 - sz;
-    weight[0] = tx * ty * tz;
-    weight[1] = sx * ty * tz;
-    weight[2] = tx * sy * tz;
-    weight[3] = sx * sy * tz;
-    weight[4] = tx * ty * sz;
-    weight[5] = sx * ty * sz;
-    weight[6] = tx * sy * sz;
-    weight[7] = sx * sy * sz;
-  }
-
-  // Component c of the lattice function: corners blended, each a value and three slopes.
-  double blend(int component) const {
-    double sum = 0;
-    for (int i = 0; i < 8; ++i) {
-      const double* figures = kLatticeFigures + corner[i] + 4 * component;
-      sum += weight[i] * (figures[0] * 0.5 + figures[1] * (fx - (i & 1)) +
-                          figures[2] * (fy - ((i >> 1) & 1)) + figures[3] * (fz - (i >> 2)));
-    }
-    return sum;
-  }
-
- private:
-  static int locate(double v, double& offset) {
-    const int64_t cell = static_cast<int64_t>(v >= 0 ? v : v - (1 - 1e-10));
-    offset = v - static_cast<double>(cell);
-    return static_cast<int>((cell + 10000) & 4095);
-  }
+// Row k: {R[k]/2, R[k+1], R[k+2], R[k+3]}, a corner's value and slopes (performance.md 5).
+struct alignas(32) LatticeRows {
+  Row row[264];
 };
+constexpr LatticeRows make_rows() {
+  LatticeRows rows{};
+  for (int i = 0; i < 264; ++i)
+    rows.row[i] = Row{kLatticeFigures[i] * 0.5, kLatticeFigures[i + 1], kLatticeFigures[i + 2],
+                      kLatticeFigures[i + 3]};
+  return rows;
+}
+constexpr LatticeRows kLatticeRows = make_rows();
+
+DURER_INLINE double s_curve(double f) { return f * f * (3 - 2 * f); }
+
+DURER_INLINE int locate(double v, double& offset) {
+  const int64_t cell = static_cast<int64_t>(v >= 0 ? v : v - (1 - 1e-10));
+  offset = v - static_cast<double>(cell);
+  return static_cast<int>((cell + 10000) & 4095);
+}
+
+// Adds the eight corners, each times its weight, to one row of partial sums per component.
+template <int kComponents>
+DURER_INLINE void add_corners(const Vec3& p, Row sums[kComponents]) {
+  double fx, fy, fz;
+  const int ix = locate(p.x, fx), iy = locate(p.y, fy), iz = locate(p.z, fz);
+  // Fourteen look-ups: those of x and xy are shared.
+  const int hx0 = kLatticeHash[ix], hx1 = kLatticeHash[ix + 1];
+  const int h00 = kLatticeHash[hx0 ^ iy], h10 = kLatticeHash[hx1 ^ iy];
+  const int h01 = kLatticeHash[hx0 ^ (iy + 1)], h11 = kLatticeHash[hx1 ^ (iy + 1)];
+
+  const double sx = s_curve(fx), sy = s_curve(fy), sz = s_curve(fz);
+  const double tx = 1 - sx, ty = 1 - sy, tz = 1 - sz;
+  const double w00 = tx * ty, w10 = sx * ty, w01 = tx * sy, w11 = sx * sy;
+
+  const Pair x0{1, fx}, x1{1, fx - 1};
+  const Pair y0z0{fy, fz}, y1z0{fy - 1, fz}, y0z1{fy, fz - 1}, y1z1{fy - 1, fz - 1};
+  const auto corner = [&](int hash, double weight, const Pair& x, const Pair& yz)
+                          __attribute__((always_inline)) {
+    const int k = kLatticeHash[hash] & 255;
+    const Row offsets = __builtin_shufflevector(x, yz, 0, 1, 2, 3) * weight;
+    for (int c = 0; c < kComponents; ++c) sums[c] += kLatticeRows.row[k + 4 * c] * offsets;
+  };
+  corner(h00 ^ iz, w00 * tz, x0, y0z0);
+  corner(h10 ^ iz, w10 * tz, x1, y0z0);
+  corner(h01 ^ iz, w01 * tz, x0, y1z0);
+  corner(h11 ^ iz, w11 * tz, x1, y1z0);
+  corner(h00 ^ (iz + 1), w00 * sz, x0, y0z1);
+  corner(h10 ^ (iz + 1), w10 * sz, x1, y0z1);
+  corner(h01 ^ (iz + 1), w01 * sz, x0, y1z1);
+  corner(h11 ^ (iz + 1), w11 * sz, x1, y1z1);
+}
+
+DURER_INLINE double total(const Row& row) { return (row[0] + row[1]) + (row[2] + row[3]); }
+
+DURER_INLINE double lattice_noise(const Vec3& p) {
+  Row sum[1] = {};
+  add_corners<1>(p, sum);
+  return total(sum[0]);
+}
+
+DURER_INLINE double clamped(double v) { return v < 0 ? 0 : v > 1 ? 1 : v; }
+DURER_INLINE double corrected_noise(const Vec3& p) {
+  return clamped((lattice_noise(p) + 1.05242) * 0.48985582);
+}
+DURER_INLINE double original_noise(const Vec3& p) { return clamped(lattice_noise(p) + 0.5); }
 
 // Generator 3: gradients on a lattice of 2048 (spec/textures.md 2.5).
 struct GradientLattice {
@@ -164,46 +191,75 @@ double gradient_noise(const Vec3& p) {
   return mix(s.z, mix(s.y, q00, q10), mix(s.y, q01, q11));
 }
 
+DURER_KERNEL double lattice_noise_of(const Vec3& p, int generator) {
+  return generator == 2 ? corrected_noise(p) : original_noise(p);
+}
+
+// Octaves after the first, with the frequency and amplitude they start at.
+DURER_KERNEL double lattice_turbulence(const Vec3& p, int octaves, double omega, double lambda,
+                                       int generator) {
+  double frequency = lambda, amplitude = omega;
+  if (generator != 2) {
+    double sum = original_noise(p);
+    for (int i = 1; i < octaves; ++i) {
+      sum += amplitude * original_noise(p * frequency);
+      frequency *= lambda;
+      amplitude *= omega;
+    }
+    return sum;
+  }
+  double sum = clamped(2 * corrected_noise(p) - 0.5);
+  for (int i = 1; i < octaves; ++i) {
+    sum += amplitude * (2 * corrected_noise(p * frequency) - 0.5);
+    frequency *= lambda;
+    amplitude *= omega;
+  }
+  return sum;
+}
+
+double perlin_noise(const Vec3& p) { return clamped(0.5 * (1.59 * gradient_noise(p) + 0.985)); }
+
+double perlin_turbulence(const Vec3& p, int octaves, double omega, double lambda) {
+  double sum = clamped(2 * perlin_noise(p) - 0.5);
+  double frequency = lambda, amplitude = omega;
+  for (int i = 1; i < octaves; ++i) {
+    sum += amplitude * (2 * perlin_noise(p * frequency) - 0.5);
+    frequency *= lambda;
+    amplitude *= omega;
+  }
+  return sum;
+}
+
 }  // namespace
 
 double noise(const Vec3& p, int generator) {
-  if (generator == 3) {
-    return std::clamp(0.5 * (1.59 * gradient_noise(p) + 0.985), 0.0, 1.0);
-  }
-  const double lattice = LatticeCell(p).blend(0);
-  if (generator == 2) return std::clamp((lattice + 1.05242) * 0.48985582, 0.0, 1.0);
-  return std::clamp(lattice + 0.5, 0.0, 1.0);
+  return generator == 3 ? perlin_noise(p) : lattice_noise_of(p, generator);
 }
 
-Vec3 vector_noise(const Vec3& p) {
-  const LatticeCell cell(p);
-  return {cell.blend(0), cell.blend(1), cell.blend(2)};
+DURER_KERNEL Vec3 vector_noise(const Vec3& p) {
+  Row sums[3] = {};
+  add_corners<3>(p, sums);
+  return {total(sums[0]), total(sums[1]), total(sums[2])};
 }
 
-Vec3 vector_turbulence(const Vec3& p, int octaves, double omega, double lambda) {
-  Vec3 sum = vector_noise(p);
+DURER_KERNEL Vec3 vector_turbulence(const Vec3& p, int octaves, double omega, double lambda) {
+  // Partial sums stay in rows until the last octave.
+  Row sums[3] = {};
+  add_corners<3>(p, sums);
   double frequency = lambda, amplitude = omega;
   for (int i = 1; i < octaves; ++i) {
-    sum += amplitude * vector_noise(p * frequency);
+    Row octave[3] = {};
+    add_corners<3>(p * frequency, octave);
+    for (int c = 0; c < 3; ++c) sums[c] += octave[c] * amplitude;
     frequency *= lambda;
     amplitude *= omega;
   }
-  return sum;
+  return {total(sums[0]), total(sums[1]), total(sums[2])};
 }
 
 double turbulence(const Vec3& p, int octaves, double omega, double lambda, int generator) {
-  auto octave = [&](const Vec3& q) {
-    return generator > 1 ? 2 * noise(q, generator) - 0.5 : noise(q, generator);
-  };
-  double sum = octave(p);
-  if (generator > 1) sum = std::clamp(sum, 0.0, 1.0);
-  double frequency = lambda, amplitude = omega;
-  for (int i = 1; i < octaves; ++i) {
-    sum += amplitude * octave(p * frequency);
-    frequency *= lambda;
-    amplitude *= omega;
-  }
-  return sum;
+  return generator == 3 ? perlin_turbulence(p, octaves, omega, lambda)
+                        : lattice_turbulence(p, octaves, omega, lambda, generator);
 }
 
 const std::vector<double>& pattern_random_table() {
@@ -217,8 +273,8 @@ const std::vector<double>& pattern_random_table() {
 }
 
 Vec3 random_vector_of_cell(const Vec3& cell) {
-  const int q = hash_cell(static_cast<int>(cell.x), static_cast<int>(cell.y),
-                          static_cast<int>(cell.z));
+  const auto whole = [](double v) { return static_cast<int>(static_cast<int64_t>(v) & 4095); };
+  const int q = hash_cell(whole(cell.x), whole(cell.y), whole(cell.z));
   const std::vector<double>& table = pattern_random_table();
   return {table[q], table[(q + 1) & 32767], table[(q + 2) & 32767]};
 }

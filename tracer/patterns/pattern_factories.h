@@ -18,6 +18,7 @@ DURER_PATTERN(checker);
 DURER_PATTERN(crackle);
 DURER_PATTERN(cubic);
 DURER_PATTERN(cylindrical);
+DURER_PATTERN(density_file);
 DURER_PATTERN(dents);
 DURER_PATTERN(facets);
 DURER_PATTERN(function);

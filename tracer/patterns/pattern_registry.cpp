@@ -26,7 +26,7 @@ constexpr Entry kEntries[] = {
     {K::crackle, "crackle", make_crackle},
     {K::cubic, "cubic", make_cubic},
     {K::cylindrical, "cylindrical", make_cylindrical},
-    {K::density_file, "density_file", nullptr},
+    {K::density_file, "density_file", make_density_file},
     {K::dents, "dents", make_dents},
     {K::facets, "facets", make_facets},
     {K::function, "function", make_function},

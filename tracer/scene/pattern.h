@@ -94,7 +94,7 @@ struct FractalParameters {
   int magnet_type = 1;  // magnet 1, 2
   Vec2 coordinates{0, 0};  // julia's constant
   int iterations = 0;
-  int exponent = 2;  // of magnets: their type, 1 or 2
+  int exponent = 2;
   int exterior_type = 1;
   double exterior_factor = 1;
   int interior_type = 0;
