@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/parser.h"
+#include "parser/parser_state.h"
 #include "tracer/functions/compiled_function.h"
 #include "tracer/scene/function.h"
 
@@ -45,6 +46,7 @@ TEST(FunctionExpressions, AgreeWithTheTable) {
   options.input_file = path.string();
   options.version = 370;
   Parser parser(options);
+  parser.state().push_frame(parser.state().load_source(path.string()), 0, nullptr);
   int passed = 0, failed = 0;
   for (const auto& record : records) {
     ASSERT_TRUE(parser.accept(Keyword::function));

@@ -83,11 +83,7 @@ double ExpressionFunction::run(const double* arguments, int depth) const {
       case Opcode::log: d = std::log10(a); break;
       case Opcode::abs: d = std::fabs(a); break;
       case Opcode::int_: d = truncate_to_int32(a); break;
-      case Opcode::atan2_: {
-        const double b = r[i->b];
-        d = a == 0 && b == 0 ? 0.0 : std::atan2(a, b);
-        break;
-      }
+      case Opcode::atan2_: d = std::atan2(a, r[i->b]); break;
       case Opcode::mod: d = std::fmod(a, r[i->b]); break;
       case Opcode::div: d = truncate_to_int32(a / r[i->b]); break;
       case Opcode::pow_: d = std::pow(a, r[i->b]); break;
