@@ -112,8 +112,7 @@ struct BlobNode {
   bool hierarchy = true;
 };
 struct TextNode {
-  std::string font;      // path as found, or empty for an internal font
-  int internal_font = 0; // 1..5
+  std::string font;  // path as found
   std::u16string text;
   double depth = 1;
   Vec3 offset{0};

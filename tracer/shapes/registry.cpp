@@ -16,6 +16,9 @@ PlacedShape compile(const TriangleNode& node, const ShapeContext& context);
 PlacedShape compile(const SmoothTriangleNode& node, const ShapeContext& context);
 PlacedShape compile(const PolygonNode& node, const ShapeContext& context);
 PlacedShape compile(const QuadricNode& node, const ShapeContext& context);
+PlacedShape compile(const LatheNode& node, const ShapeContext& context);
+PlacedShape compile(const SorNode& node, const ShapeContext& context);
+PlacedShape compile(const PrismNode& node, const ShapeContext& context);
 
 namespace {
 

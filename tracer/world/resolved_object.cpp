@@ -5,6 +5,7 @@
 #include "tracer/intersect/mesh.h"
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/quadric.h"
+#include "tracer/shapes/text.h"
 
 namespace durer {
 namespace {
@@ -326,6 +327,7 @@ ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
   ResolvedObject result;
   const ShapeNode& node = *object.shape;
   if (const auto* csg = std::get_if<CsgNode>(&node)) return resolve_csg(*csg);
+  if (const auto* text = std::get_if<TextNode>(&node)) return resolve_text(*text);
   if (const auto* light = std::get_if<std::shared_ptr<const LightNode>>(&node)) {
     result.kind = ResolvedObject::Kind::light;
     result.light = *light;
@@ -413,6 +415,24 @@ ResolvedObject ObjectResolver::resolve_csg(const CsgNode& node) {
     result.written_as_difference = true;
   }
   result.box = csg_box(result);
+  return result;
+}
+
+// A union of its characters, turned a little.
+ResolvedObject ObjectResolver::resolve_text(const TextNode& node) {
+  ResolvedObject result;
+  result.kind = ResolvedObject::Kind::csg;
+  result.csg = CsgKind::union_;
+  for (const PlacedGlyph& glyph : lay_out_text(node)) {
+    if (!glyph.shape) continue;
+    ResolvedObject member;
+    member.shape = glyph.shape;
+    member.is_csg_child = true;
+    member.move(Transform::translation(glyph.offset));
+    result.children.push_back(std::move(member));
+  }
+  result.box = csg_box(result);
+  result.move(Transform::rotation(Vec3(kTextRotationDegrees)));
   return result;
 }
 

@@ -97,6 +97,7 @@ class ObjectResolver {
   ResolvedObject resolve_shape(const ObjectNode& object);
   PlacedShape compiled(const ObjectNode& object);
   ResolvedObject resolve_csg(const CsgNode& node);
+  ResolvedObject resolve_text(const TextNode& node);
   void apply(ResolvedObject& object, const Modifier& modifier);
 
   int effective_version_;

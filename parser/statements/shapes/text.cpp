@@ -4,6 +4,20 @@
 
 namespace durer {
 
+namespace {
+
+// The fonts that every installation has beside its include files.
+const char* internal_font_file(int number) {
+  switch (number) {
+    case 1: return "timrom.ttf";
+    case 2: return "cyrvetic.ttf";
+    case 3: return "crystal.ttf";
+    default: return "povlogo.ttf";
+  }
+}
+
+}  // namespace
+
 ShapeNode parse_text(Parser& parser) {
   TextNode node;
   if (parser.accept(Keyword::ttf)) {
@@ -11,7 +25,9 @@ ShapeNode parse_text(Parser& parser) {
     node.font = parser.find_file(name, FileType::font);
     if (node.font.empty()) parser.error("the font '" + name + "' is not found");
   } else if (parser.accept(Keyword::internal)) {
-    node.internal_font = parser.parse_int();
+    const char* name = internal_font_file(parser.parse_int());
+    node.font = parser.find_file(name, FileType::font);
+    if (node.font.empty()) parser.error(std::string("the internal font '") + name + "' is not found");
   } else {
     parser.error_expected("ttf or internal");
   }

@@ -1,0 +1,148 @@
+// lathe { spline N, <r,y>, … [sturm] }: a curve turned about the y axis   (spec/geometry.md 12.9)
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/math/polynomial.h"
+#include "tracer/shapes/profile_curve.h"
+#include "tracer/shapes/shape.h"
+#include "tracer/shapes/spherical_angle.h"
+
+namespace durer {
+namespace {
+
+class Lathe final : public Shape {
+ public:
+  Lathe(const LatheNode& node, std::vector<CurveSegment> segments)
+      : segments_(std::move(segments)), degree_(degree_of(node.spline)), sturm_(node.sturm) {
+    min_ = segments_[0].min;
+    max_ = segments_[0].max;
+    for (const CurveSegment& s : segments_) {
+      min_ = glm::min(min_, s.min);
+      max_ = glm::max(max_, s.max);
+    }
+  }
+
+  Bounds bounds() const override {
+    const double radius = std::max(std::abs(min_.x), std::abs(max_.x));
+    return {{-radius, min_.y, -radius}, {radius, max_.y, radius}};
+  }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    const double scale = 1 / length(ray.direction);
+    const Vec3 d = ray.direction * scale, p = ray.origin;
+    const double rr = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z;
+    const double distance2 = p.x * p.x + p.z * p.z;
+    for (size_t i = 0; i < segments_.size(); ++i) {
+      const CurveSegment& s = segments_[i];
+      if (!meets_tube(s, p, d, rr, m, distance2)) continue;
+      double w[6];
+      const int count = solve_profile(s, p, d, rr, m, distance2, w);
+      for (int k = 0; k < count; ++k) {
+        if (w[k] < 0 || w[k] > 1) continue;
+        const Vec2 at = s.point(w[k]);
+        if (std::abs(d.y) > kGeometryEpsilon) {
+          push((at.y - p.y) / d.y * scale, i, w[k], out);
+        } else {
+          const double c[3] = {rr, 2 * m, distance2 - at.x * at.x};
+          double t[2];
+          for (int n = 0, found = solve_quadratic(c, t); n < found; ++n)
+            push(t[n] * scale, i, w[k], out);
+        }
+      }
+    }
+  }
+
+  // Odd number of crossings from the point outwards. An open profile counts as closed at the axis.
+  bool inside(const Vec3& p) const override {
+    const double rho = std::sqrt(p.x * p.x + p.z * p.z);
+    if (p.y < min_.y || p.y > max_.y || rho < min_.x || rho > max_.x) return false;
+    bool inside = false;
+    for (const CurveSegment& s : segments_) {
+      if (p.y < s.min.y - kGeometryEpsilon || p.y > s.max.y + kGeometryEpsilon) continue;
+      double w[3];
+      for (int i = solve_coordinate(s, degree_, 1, p.y, w); i-- > 0;)
+        if (s.point(w[i]).x >= rho) inside = !inside;
+    }
+    return inside;
+  }
+
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
+    const double rho2 = p.x * p.x + p.z * p.z;
+    if (rho2 <= kGeometryEpsilon) return {0, 1, 0};
+    const Vec2 tangent = segments_[hit.part].tangent(static_cast<double>(hit.u));
+    return {tangent.y * p.x, -tangent.x * std::sqrt(rho2), tangent.y * p.z};
+  }
+
+  Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit& hit) const override {
+    const double v = (static_cast<double>(hit.u) + hit.part) / static_cast<double>(segments_.size());
+    return {spherical_angle(p.x, p.z) / (2 * M_PI), std::min(1.0, v)};
+  }
+
+ private:
+  static void push(double t, size_t segment, double w, HitStack& out) {
+    if (t > 1e-4 && t < kGreatestDepth)
+      out.push(t, static_cast<uint32_t>(segment), static_cast<float>(w));
+  }
+
+  // The ray must cross the segment's tube: its heights, and its outer radius.
+  static bool meets_tube(const CurveSegment& s, const Vec3& p, const Vec3& d, double rr, double m,
+                         double distance2) {
+    double from = 0, to = kGreatestDepth;
+    if (std::abs(d.y) > kGeometryEpsilon) {
+      const double a = (s.min.y - p.y) / d.y, b = (s.max.y - p.y) / d.y;
+      from = std::max(from, std::min(a, b) - 1e-6);
+      to = std::min(to, std::max(a, b) + 1e-6);
+      if (from > to) return false;
+    } else if (p.y < s.min.y - 1e-6 || p.y > s.max.y + 1e-6) {
+      return false;
+    }
+    const double radius = std::max(std::abs(s.min.x), std::abs(s.max.x)) + 1e-6;
+    if (rr < kGeometryEpsilon) return distance2 <= radius * radius;
+    const double discriminant = m * m - rr * (distance2 - radius * radius);
+    if (discriminant < 0) return false;
+    const double root = std::sqrt(discriminant);
+    if (std::max(from, (-m - root) / rr) > std::min(to, (-m + root) / rr)) return false;
+    // All of the way below the inner radius?
+    const double inner = std::min(s.min.x, s.max.x) - 1e-6;
+    if (inner <= 0) return true;
+    const auto within = [&](double t) {
+      return distance2 + t * (2 * m + t * rr) < inner * inner;
+    };
+    return !(within(from) && within(to));
+  }
+
+  // Roots w of r2 (y - Py)^2 + 2 m dy (y - Py) + dy^2 (Px^2 + Pz^2 - x^2).
+  int solve_profile(const CurveSegment& s, const Vec3& p, const Vec3& d, double rr, double m,
+                    double distance2, double* roots) const {
+    const double x[4] = {s.constant.x, s.linear.x, s.square.x, s.cubic.x};
+    const double y[4] = {s.constant.y - p.y, s.linear.y, s.square.y, s.cubic.y};
+    const double dy2 = d.y * d.y;
+    double c[7] = {};
+    const int top = 2 * degree_;
+    for (int i = 0; i <= degree_; ++i) {
+      for (int k = 0; k <= degree_; ++k) c[top - i - k] += rr * y[i] * y[k] - dy2 * x[i] * x[k];
+      c[top - i] += 2 * m * d.y * y[i];
+    }
+    c[top] += dy2 * distance2;
+    return solve_polynomial(top, c, sturm_ && degree_ > 1, 0, roots);
+  }
+
+  std::vector<CurveSegment> segments_;
+  int degree_;
+  bool sturm_;
+  Vec2 min_, max_;
+};
+
+}  // namespace
+
+PlacedShape compile(const LatheNode& node, const ShapeContext&) {
+  const size_t per_segment = static_cast<size_t>(degree_of(node.spline)) + 1;
+  const size_t step = node.spline == SplineKind::bezier ? 4 : 1;
+  std::vector<CurveSegment> segments;
+  for (size_t i = 0; i + per_segment <= node.points.size(); i += step)
+    segments.push_back(curve_segment(node.spline, &node.points[i], false));
+  if (segments.empty()) return {};
+  return {std::make_shared<Lathe>(node, std::move(segments)), false, {}};
+}
+
+}  // namespace durer

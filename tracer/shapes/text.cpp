@@ -1,0 +1,300 @@
+#include "tracer/shapes/text.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+#include FT_TRUETYPE_TABLES_H
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace durer {
+namespace {
+
+// A piece of an outline: straight from a to c, or a parabola with control point b.
+struct Edge {
+  Vec2 a, b, c;
+  bool curved = false;
+
+  Vec2 point(double u) const {
+    if (!curved) return a + u * (c - a);
+    return (1 - u) * (1 - u) * a + 2 * u * (1 - u) * b + u * u * c;
+  }
+  Vec2 tangent(double u) const {
+    return curved ? 2 * (1 - u) * (b - a) + 2 * u * (c - b) : c - a;
+  }
+};
+
+// Roots in [0,1] of q[0] u^2 + q[1] u + q[2].
+int solve_edge(const double* q, double* roots) {
+  double found[2];
+  int count = 0;
+  if (std::abs(q[0]) < 1e-20) {
+    if (q[1] == 0) return 0;
+    found[count++] = -q[2] / q[1];
+  } else {
+    const double discriminant = q[1] * q[1] - 4 * q[0] * q[2];
+    if (discriminant < kGeometryEpsilon) return 0;
+    const double root = std::sqrt(discriminant);
+    found[count++] = (-q[1] + root) / (2 * q[0]);
+    found[count++] = (-q[1] - root) / (2 * q[0]);
+  }
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+    if (found[i] >= 0 && found[i] <= 1) roots[kept++] = found[i];
+  return kept;
+}
+
+class Glyph final : public Shape {
+ public:
+  Glyph(std::vector<Edge> edges, double depth) : edges_(std::move(edges)), depth_(depth) {
+    for (const Edge& e : edges_) {
+      for (const Vec2& p : {e.a, e.c, e.curved ? e.b : e.a}) {
+        box_.extend(Vec3(p.x, p.y, -1e-6));
+        box_.extend(Vec3(p.x, p.y, depth + 1e-6));
+      }
+    }
+  }
+
+  Bounds bounds() const override { return box_; }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    const Vec3 p = ray.origin, d = ray.direction;
+    if (d.z != 0) {
+      face(p, d, 0, 0, out);
+      face(p, d, depth_, 1, out);
+    }
+    // A ray along z meets no wall.
+    if (d.x == 0 && d.y == 0) return;
+    for (size_t i = 0; i < edges_.size(); ++i) {
+      const Edge& e = edges_[i];
+      const auto side = [&](const Vec2& q) { return d.x * (q.y - p.y) - d.y * (q.x - p.x); };
+      const double a = side(e.a), c = side(e.c);
+      double u[2];
+      int count = 0;
+      if (e.curved) {
+        const double b = side(e.b);
+        if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) continue;
+        const double q[3] = {a - 2 * b + c, 2 * (b - a), a};
+        count = solve_edge(q, u);
+      } else {
+        if (std::abs(c - a) < kGeometryEpsilon) continue;
+        u[0] = -a / (c - a);
+        if (u[0] >= 0 && u[0] <= 1) count = 1;
+      }
+      for (int k = 0; k < count; ++k) {
+        const Vec2 at = e.point(u[k]);
+        const double t =
+            std::abs(d.x) > std::abs(d.y) ? (at.x - p.x) / d.x : (at.y - p.y) / d.y;
+        const double z = p.z + t * d.z;
+        if (z >= 0 && z <= depth_ && t > 1e-6)
+          out.push(t, static_cast<uint32_t>(i) + 2, static_cast<float>(u[k]));
+      }
+    }
+  }
+
+  bool inside(const Vec3& p) const override {
+    return p.z >= 0 && p.z <= depth_ && covers(p.x, p.y);
+  }
+
+  Vec3 normal(const Vec3&, const ShapeHit& hit) const override {
+    if (hit.part < 2) return {0, 0, hit.part == 0 ? -1 : 1};
+    const Vec2 tangent = edges_[hit.part - 2].tangent(static_cast<double>(hit.u));
+    return {tangent.y, -tangent.x, 0};
+  }
+
+ private:
+  void face(const Vec3& p, const Vec3& d, double z, uint32_t part, HitStack& out) const {
+    const double t = (z - p.z) / d.z;
+    if (t > 1e-6 && covers(p.x + t * d.x, p.y + t * d.y)) out.push(t, part);
+  }
+
+  // Even-odd parity along +x.
+  bool covers(double x, double y) const {
+    if (x < box_.min.x || x > box_.max.x || y < box_.min.y || y > box_.max.y) return false;
+    bool inside = false;
+    for (const Edge& e : edges_) {
+      if (!e.curved) {
+        if ((e.a.y < y) == (e.c.y < y)) continue;
+        const double crossing = e.a.x + (y - e.a.y) * (e.c.x - e.a.x) / (e.c.y - e.a.y);
+        if ((e.a.x > x && e.c.x > x) || crossing >= x - kGeometryEpsilon) inside = !inside;
+        continue;
+      }
+      const double a = e.a.y - y, b = e.b.y - y, c = e.c.y - y;
+      if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) continue;
+      const double q[3] = {a - 2 * b + c, 2 * (b - a), a};
+      double u[2];
+      for (int i = solve_edge(q, u); i-- > 0;) {
+        // At an end the curve must cross there, so that neighbours do not both count.
+        if (u[i] <= kGeometryEpsilon && !leaves(a, b, c)) continue;
+        if (u[i] >= 1 - kGeometryEpsilon && !leaves(c, b, a)) continue;
+        if (e.point(u[i]).x > x) inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  // A piece that touches the height with an end counts if it comes from below, as straight ones do.
+  static bool leaves(double at, double control, double other) {
+    if (at < 0) return true;
+    return control != at ? control < at : other < at;
+  }
+
+  std::vector<Edge> edges_;
+  double depth_;
+  Bounds box_;
+};
+
+// Collects what FreeType takes apart; coordinates in em.
+struct OutlineBuilder {
+  double scale;
+  std::vector<Edge> edges;
+  Vec2 start{0}, at{0};
+
+  Vec2 scaled(const FT_Vector* p) const {
+    return {static_cast<double>(p->x) * scale, static_cast<double>(p->y) * scale};
+  }
+  void line(const Vec2& to) {
+    if (to != at) edges.push_back({at, at, to, false});
+    at = to;
+  }
+};
+
+std::vector<Edge> outline_of(FT_Outline& outline, double scale) {
+  OutlineBuilder builder{scale, {}, Vec2(0), Vec2(0)};
+  FT_Outline_Funcs functions{};
+  functions.move_to = [](const FT_Vector* to, void* user) {
+    auto& b = *static_cast<OutlineBuilder*>(user);
+    b.line(b.start);  // closes the contour before
+    b.start = b.at = b.scaled(to);
+    return 0;
+  };
+  functions.line_to = [](const FT_Vector* to, void* user) {
+    auto& b = *static_cast<OutlineBuilder*>(user);
+    b.line(b.scaled(to));
+    return 0;
+  };
+  functions.conic_to = [](const FT_Vector* control, const FT_Vector* to, void* user) {
+    auto& b = *static_cast<OutlineBuilder*>(user);
+    b.edges.push_back({b.at, b.scaled(control), b.scaled(to), true});
+    b.at = b.scaled(to);
+    return 0;
+  };
+  // Cubics, of fonts that are not TrueType: eight parabolas each.
+  functions.cubic_to = [](const FT_Vector* c1, const FT_Vector* c2, const FT_Vector* to,
+                          void* user) {
+    auto& b = *static_cast<OutlineBuilder*>(user);
+    const Vec2 p0 = b.at, p1 = b.scaled(c1), p2 = b.scaled(c2), p3 = b.scaled(to);
+    constexpr int kPieces = 8;
+    const auto point = [&](double t) {
+      const double s = 1 - t;
+      return s * s * s * p0 + 3 * s * s * t * p1 + 3 * s * t * t * p2 + t * t * t * p3;
+    };
+    for (int i = 0; i < kPieces; ++i) {
+      const Vec2 from = b.at;
+      const Vec2 end = i + 1 == kPieces ? p3 : point((i + 1.0) / kPieces);
+      const Vec2 middle = point((i + 0.5) / kPieces);
+      b.edges.push_back({from, 2.0 * middle - 0.5 * (from + end), end, true});
+      b.at = end;
+    }
+    return 0;
+  };
+  FT_Outline_Decompose(&outline, &functions, &builder);
+  builder.line(builder.start);
+  return std::move(builder.edges);
+}
+
+class Font {
+ public:
+  explicit Font(const std::string& path) {
+    if (FT_Init_FreeType(&library_)) throw std::runtime_error("cannot start FreeType");
+    if (FT_New_Face(library_, path.c_str(), 0, &face_)) {
+      FT_Done_FreeType(library_);
+      throw std::runtime_error("the font '" + path + "' cannot be read");
+    }
+  }
+  ~Font() {
+    FT_Done_Face(face_);
+    FT_Done_FreeType(library_);
+  }
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+
+  // The first table of the platforms preferred decides, even if it lacks the character.
+  FT_UInt glyph_index(char16_t character, bool unicode) {
+    const int ascii_order[] = {1, 3, 0}, unicode_order[] = {0, 3, 1};
+    for (const int platform : unicode ? unicode_order : ascii_order) {
+      for (int i = 0; i < face_->num_charmaps; ++i) {
+        FT_CharMap map = face_->charmaps[i];
+        const FT_Long format = FT_Get_CMap_Format(map);
+        if (map->platform_id != platform || (format != 0 && format != 4 && format != 6)) continue;
+        FT_Set_Charmap(face_, map);
+        FT_UInt glyph = FT_Get_Char_Index(face_, character);
+        if (!glyph && format == 4 && character < 256)
+          glyph = FT_Get_Char_Index(face_, character + 0xF000u);
+        return glyph;
+      }
+    }
+    return 0;
+  }
+
+  FT_GlyphSlot load(FT_UInt glyph) {
+    if (FT_Load_Glyph(face_, glyph, FT_LOAD_NO_SCALE)) return nullptr;
+    return face_->glyph;
+  }
+  double unit() const { return 1.0 / face_->units_per_EM; }
+  Vec2 kerning(FT_UInt left, FT_UInt right) {
+    FT_Vector kern{};
+    if (FT_HAS_KERNING(face_)) FT_Get_Kerning(face_, left, right, FT_KERNING_UNSCALED, &kern);
+    return unit() * Vec2(static_cast<double>(kern.x), static_cast<double>(kern.y));
+  }
+
+ private:
+  FT_Library library_ = nullptr;
+  FT_Face face_ = nullptr;
+};
+
+}  // namespace
+
+std::vector<PlacedGlyph> lay_out_text(const TextNode& node) {
+  Font font(node.font);
+  const bool unicode = std::any_of(node.text.begin(), node.text.end(),
+                                   [](char16_t c) { return c > 127; });
+  std::vector<PlacedGlyph> glyphs;
+  std::map<FT_UInt, std::shared_ptr<const Shape>> known;
+  Vec2 pen(0);
+  FT_UInt previous = 0;
+  for (size_t i = 0; i < node.text.size(); ++i) {
+    const char16_t character = node.text[i];
+    const FT_UInt index = font.glyph_index(character, unicode);
+    FT_GlyphSlot slot = font.load(index);
+    if (!slot) continue;
+    const double advance = static_cast<double>(slot->metrics.horiAdvance) * font.unit();
+    const double bearing = static_cast<double>(slot->metrics.horiBearingX) * font.unit();
+    auto known_shape = known.find(index);
+    if (known_shape == known.end()) {
+      std::shared_ptr<const Shape> shape;
+      if (character != u' ') {
+        std::vector<Edge> edges = outline_of(slot->outline, font.unit());
+        if (!edges.empty()) shape = std::make_shared<Glyph>(std::move(edges), node.depth);
+      }
+      known_shape = known.emplace(index, std::move(shape)).first;
+    }
+    // FreeType's outlines start at their bearing; the first character starts at 0.
+    if (glyphs.empty()) {
+      glyphs.push_back({known_shape->second, Vec3(-bearing, 0, 0)});
+      pen.x = advance - bearing;
+    } else {
+      const Vec2 kern = font.kerning(previous, index);
+      glyphs.push_back({known_shape->second, Vec3(pen.x + kern.x, pen.y + kern.y, 0)});
+      pen.x += advance + kern.x;
+    }
+    pen += Vec2(node.offset.x, node.offset.y);
+    previous = index;
+  }
+  return glyphs;
+}
+
+}  // namespace durer
