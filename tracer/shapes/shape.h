@@ -87,6 +87,8 @@ class Shape {
 
   // No inside, not invertible (spec/geometry.md 13).
   virtual bool is_patch() const { return false; }
+  // clipped_by only installs its box (spec/geometry.md 13.6).
+  virtual bool ignores_clips() const { return false; }
   // `inverse` marks the object (spec/geometry.md 4.3).
   virtual bool takes_inverse_mark() const { return !is_patch(); }
   // Seen outside its box where there is no hierarchy (spec/geometry.md 2.2).

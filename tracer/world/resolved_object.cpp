@@ -319,6 +319,7 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
     }
     if (!result.bounds_are_clips) install_box(result, result.bounds);
     install_box(result, result.clips);
+    if (result.shape && result.shape->ignores_clips()) result.clips.clear();
   }
   return result;
 }

@@ -1,0 +1,195 @@
+// superellipsoid { <e, n> }                                            (spec/geometry.md 12.5)
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/shapes/shape.h"
+
+namespace durer {
+namespace {
+
+constexpr double kHalfCube = 1.01;
+constexpr int kMostSteps = 20;
+
+double power(double base, double exponent) {
+  if (exponent == std::floor(exponent) && exponent >= 0 && exponent <= 6) {
+    double result = 1;
+    for (int i = static_cast<int>(exponent); i > 0; --i) result *= base;
+    return result;
+  }
+  return std::pow(base, exponent);
+}
+
+// (a^E + b^E)^(1/E) without overflow.
+double combine(double a, double b, double exponent) {
+  const double larger = std::max(a, b), smaller = std::min(a, b);
+  if (larger == 0) return 0;
+  const double sum = 1 + power(smaller / larger, exponent);
+  return sum == 1 ? larger : larger * power(sum, 1 / exponent);
+}
+
+class Superellipsoid final : public Shape {
+ public:
+  explicit Superellipsoid(const Vec2& exponents) : e_(2 / exponents.x), n_(2 / exponents.y) {}
+
+  Bounds bounds() const override { return {Vec3(-1.0001), Vec3(1.0001)}; }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    const double scale = 1 / length(ray.direction);
+    const Vec3 p = ray.origin, d = ray.direction * scale;
+    double entry, exit;
+    if (!clip_to_cube(p, d, entry, exit)) return;
+    double samples[16];
+    const int count = sample_distances(p, d, entry, exit, samples);
+    double left = samples[0], f_left = value(p + left * d);
+    if (std::abs(f_left) < kGeometryEpsilon && push(left * scale, out) && !ray.csg_child) return;
+    for (int i = 1; i < count; ++i) {
+      const double right = samples[i], f_right = value(p + right * d);
+      if (std::abs(f_right) < kGeometryEpsilon) {
+        if (push(right * scale, out) && !ray.csg_child) return;
+      } else {
+        double t = 0;
+        bool found = false;
+        if (f_left * f_right < 0) {
+          t = find_root(p, d, left, f_left, right, f_right);
+          found = true;
+        } else {
+          found = approach(p, d, left, f_left, right, t);
+        }
+        if (found && push(t * scale, out) && !ray.csg_child) return;
+      }
+      left = right;
+      f_left = f_right;
+    }
+  }
+
+  bool inside(const Vec3& p) const override { return value(p) < kGeometryEpsilon; }
+
+  Vec3 normal(const Vec3& p, const ShapeHit&) const override {
+    const double x = std::abs(p.x), y = std::abs(p.y), z = std::abs(p.z);
+    const double a = power(z, n_);
+    Vec3 n(0);
+    if (z > 0) n.z = a / p.z;
+    double ratio;
+    if (x > y) {
+      ratio = power(y / x, e_);
+      n.x = (1 - a) / p.x;
+      if (p.y != 0) n.y = (1 - a) * ratio / p.y;
+    } else {
+      ratio = y > 0 ? power(x / y, e_) : 0;
+      if (p.x != 0) n.x = (1 - a) * ratio / p.x;
+      if (p.y != 0) n.y = (1 - a) / p.y;
+    }
+    if (n.z != 0) n.z *= 1 + ratio;
+    return n;
+  }
+
+ private:
+  double value(const Vec3& p) const {
+    return combine(combine(std::abs(p.x), std::abs(p.y), e_), std::abs(p.z), n_) - 1;
+  }
+
+  static bool push(double t, HitStack& out) {
+    if (!(t > 1e-4 && t < kGreatestDepth)) return false;
+    out.push(t);
+    return true;
+  }
+
+  static bool clip_to_cube(const Vec3& p, const Vec3& d, double& entry, double& exit) {
+    entry = 0;
+    exit = kGreatestDepth;
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(d[i]) < kGeometryEpsilon) {
+        if (std::abs(p[i]) > kHalfCube) return false;
+        continue;
+      }
+      const double a = (-kHalfCube - p[i]) / d[i], b = (kHalfCube - p[i]) / d[i];
+      entry = std::max(entry, std::min(a, b));
+      exit = std::min(exit, std::max(a, b));
+    }
+    if (exit < entry || exit < 1e-4) return false;
+    entry = std::max(entry, 1e-4);
+    return exit >= entry;
+  }
+
+  // Entry, exit and the crossings of the planes where the surface may be sharp, ascending.
+  static int sample_distances(const Vec3& p, const Vec3& d, double entry, double exit,
+                              double* samples) {
+    static constexpr double kPlanes[9][3] = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1},
+                                             {0, 1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    int count = 0;
+    samples[count++] = entry;
+    samples[count++] = exit;
+    const double slack = kGeometryEpsilon * (exit - entry);
+    for (const auto& plane : kPlanes) {
+      const Vec3 n(plane[0], plane[1], plane[2]);
+      const double along = dot(n, d);
+      if (std::abs(along) < kGeometryEpsilon) continue;
+      const double t = -dot(n, p) / along;
+      if (t >= entry - slack && t <= exit + slack) samples[count++] = t;
+    }
+    std::sort(samples, samples + count);
+    return count;
+  }
+
+  // Chord and midpoint by turns; 20 rounds.
+  double find_root(const Vec3& p, const Vec3& d, double a, double fa, double b, double fb) const {
+    for (int i = 0; i < kMostSteps; ++i) {
+      if (std::abs(fa) < kGeometryEpsilon) return a;
+      if (std::abs(fb) < kGeometryEpsilon) return b;
+      double chord = a - fa * (b - a) / (fb - fa), middle = 0.5 * (a + b);
+      double f_chord = value(p + chord * d), f_middle = value(p + middle * d);
+      if (f_chord * f_middle < 0) {
+        if (f_chord * fa > 0) {
+          a = chord, fa = f_chord, b = middle, fb = f_middle;
+        } else {
+          a = middle, fa = f_middle, b = chord, fb = f_chord;
+        }
+      } else {
+        if (std::abs(f_middle) < std::abs(f_chord)) chord = middle, f_chord = f_middle;
+        if (f_chord * fa > 0) {
+          a = chord, fa = f_chord;
+        } else {
+          b = chord, fb = f_chord;
+        }
+      }
+    }
+    return std::abs(fa) < std::abs(fb) ? a : b;
+  }
+
+  // Both ends have the same sign: secant steps towards a zero between them.
+  bool approach(const Vec3& p, const Vec3& d, double left, double f_left, double right,
+                double& t) const {
+    const double length = right - left;
+    double at = left, f = f_left, step = 1e-4 * length;
+    for (int i = 0; i < kMostSteps; ++i) {
+      const double next = at + step;
+      if (step > length || next > right || step == 0) return false;
+      const double f_next = value(p + next * d);
+      if (std::abs(f_next) < kGeometryEpsilon) {
+        t = next;
+        return true;
+      }
+      if (f_next * f < 0) {
+        t = find_root(p, d, at, f, next, f_next);
+        return true;
+      }
+      if (std::abs(f_next) > std::abs(f) || f_next == f) return false;
+      const double secant = next - f_next * (next - at) / (f_next - f);
+      at = next;
+      f = f_next;
+      step = secant - at;
+      if (step < 0) return false;
+    }
+    return false;
+  }
+
+  double e_, n_;
+};
+
+}  // namespace
+
+PlacedShape compile(const SuperellipsoidNode& node, const ShapeContext&) {
+  return {std::make_shared<Superellipsoid>(node.exponents), false, {}};
+}
+
+}  // namespace durer
