@@ -1,16 +1,14 @@
 // box { <corner>, <corner> }                                         (spec/geometry.md 12.2)
 #include <algorithm>
-#include <cmath>
 
 #include "tracer/math/transform_kind.h"
+#include "tracer/shapes/box_crossing.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
 namespace {
 
-// Where two faces are met this close to each other, the one that the ray meets more squarely counts.
-constexpr double kEdgeTolerance = 1e-6;
-constexpr int kNoSide = 6;  // sides are 2·axis, +1 for the upper face
+constexpr double kLeastEntry = 1e-6;
 
 class Box final : public Shape {
  public:
@@ -19,17 +17,17 @@ class Box final : public Shape {
   Bounds bounds() const override { return {low_, high_}; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    double near, far;
-    int entry, exit;
-    if (!cross(ray, near, far, entry, exit)) return;
-    if (near > kEdgeTolerance) out.push(near, entry);
+    BoxCrossing crossing;
+    if (!cross_box(low_, high_, ray, crossing)) return;
+    const auto& [near, far, entry, exit] = crossing;
+    if (near > kLeastEntry) out.push(near, entry);
     out.push(far, exit);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
-    double near, far;
-    int entry, exit;
-    if (!cross(ray, near, far, entry, exit)) return false;
+    BoxCrossing crossing;
+    if (!cross_box(low_, high_, ray, crossing)) return false;
+    const auto& [near, far, entry, exit] = crossing;
     // At equal depths the exit, pushed last, wins.
     const bool enters = near >= kLeastHitDepth && near < far;
     hit.t = enters ? near : far;
@@ -68,55 +66,6 @@ class Box final : public Shape {
   bool is_exempt_from_box_test() const override { return true; }
 
  private:
-  bool cross(const ShapeRay& ray, double& near, double& far, int& entry, int& exit) const {
-    near = 0;
-    far = kHugeDepth;
-    entry = exit = kNoSide;
-    const Vec3 steepness = glm::abs(ray.direction);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double d = ray.direction[axis], o = ray.origin[axis];
-      if (steepness[axis] <= kGeometryEpsilon) {
-        if (o < low_[axis] || o > high_[axis]) return false;
-        continue;
-      }
-      const int upper = d > 0 ? 1 : 0;
-      const double t_far = ((upper ? high_ : low_)[axis] - o) / d;
-      if (t_far < near) return false;
-      const double t_near = ((upper ? low_ : high_)[axis] - o) / d;
-      if (axis == 0) {
-        if (t_far <= far) {
-          exit = upper;
-          far = t_far;
-        }
-        if (t_near >= near) {
-          if (t_near > far) return false;
-          entry = 1 - upper;
-          near = t_near;
-        }
-        continue;
-      }
-      // On an edge the face met most squarely wins; y is always compared with x.
-      if (t_far <= far - kEdgeTolerance) {
-        exit = 2 * axis + upper;
-        far = t_far;
-      } else if (t_far <= far + kEdgeTolerance && is_steeper(axis, exit, steepness)) {
-        exit = 2 * axis + upper;
-      }
-      if (t_near >= near + kEdgeTolerance) {
-        if (t_near > far) return false;
-        entry = 2 * axis + 1 - upper;
-        near = t_near;
-      } else if (t_near >= near - kEdgeTolerance && is_steeper(axis, entry, steepness)) {
-        entry = 2 * axis + 1 - upper;
-      }
-    }
-    return far >= kEdgeTolerance && exit != kNoSide;
-  }
-
-  static bool is_steeper(int axis, int side, const Vec3& steepness) {
-    if (axis == 1) return steepness.y > steepness.x;
-    return side != kNoSide && steepness.z > steepness[side / 2];
-  }
 
   Vec3 low_, high_;
 };

@@ -18,6 +18,8 @@ PlacedShape compile(const PolygonNode& node, const ShapeContext& context);
 PlacedShape compile(const QuadricNode& node, const ShapeContext& context);
 PlacedShape compile(const SuperellipsoidNode& node, const ShapeContext& context);
 PlacedShape compile(const OvusNode& node, const ShapeContext& context);
+PlacedShape compile(const IsosurfaceNode& node, const ShapeContext& context);
+PlacedShape compile(const ParametricNode& node, const ShapeContext& context);
 PlacedShape compile(const BlobNode& node, const ShapeContext& context);
 PlacedShape compile(const PolyNode& node, const ShapeContext& context);
 PlacedShape compile(const BicubicPatchNode& node, const ShapeContext& context);
