@@ -10,6 +10,7 @@
 #include "tracer/scene/function.h"
 #include "tracer/scene/not_supported.h"
 #include "tracer/texture/surface_texture.h"
+#include "tracer/world/pattern_services.h"
 
 namespace durer {
 namespace {
@@ -330,6 +331,13 @@ class FunctionBody {
   std::vector<std::pair<Name, int>> loops_;
 };
 
+TextureSettings function_settings(const Parser::State& state) {
+  TextureSettings settings;
+  settings.patterns.noise_generator = state.field_settings->noise_generator;
+  settings.effective_version = state.parser.effective_version();
+  return settings;
+}
+
 }  // namespace
 
 std::vector<Parser::State::FunctionParameter> Parser::State::parse_function_parameters() {
@@ -375,10 +383,9 @@ FunctionHandle Parser::State::parse_function_body(const std::vector<FunctionPara
         consume();
         const auto pattern = parse_function_pattern(parser);
         try {
-          PatternSettings settings;
-          settings.noise_generator = field_settings->noise_generator;
-          settings.services = options.pattern_services;
-          return make_pattern_function(std::make_shared<Pattern>(*pattern, settings));
+          const WorldPatternServices services(function_settings(*this));
+          return make_pattern_function(
+              std::make_shared<Pattern>(*pattern, services.settings().patterns));
         } catch (const NotSupported& what) {
           return make_pattern_function(std::make_shared<UnsupportedField>(what));
         }
@@ -387,12 +394,9 @@ FunctionHandle Parser::State::parse_function_body(const std::vector<FunctionPara
         consume();
         const auto pigment = parse_function_pigment(parser);
         try {
-          TextureSettings settings;
-          settings.patterns.noise_generator = field_settings->noise_generator;
-          settings.patterns.services = options.pattern_services;
-          settings.effective_version = parser.effective_version();
+          const WorldPatternServices services(function_settings(*this));
           return make_pigment_function(
-              std::make_shared<PigmentField>(compile_pigment(*pigment, settings)));
+              std::make_shared<PigmentField>(compile_pigment(*pigment, services.settings())));
         } catch (const NotSupported& what) {
           return make_pigment_function(std::make_shared<UnsupportedField>(what));
         }

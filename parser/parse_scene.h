@@ -13,7 +13,6 @@
 
 namespace durer {
 
-class PatternServices;
 
 // What a scene may use up before it is stopped with an error that names the limit.
 struct ParserLimits {
@@ -53,8 +52,6 @@ struct ParseOptions {
   ParserLimits limits;
   WritePermissions writes;
   std::shared_ptr<SceneQueries> queries;  // null: the ones of tracer/world
-  // For functions of pigments and patterns; null: the ones that need an object are not supported.
-  const PatternServices* pattern_services = nullptr;
   MessageSink* sink = nullptr;            // null: messages are dropped
 };
 

@@ -1,5 +1,7 @@
 #include "tracer/shading/reflectance.h"
 
+#include "tracer/patterns/noise.h"
+
 namespace durer {
 
 Reflectivity reflectivity(const FinishNode& finish, double cosine, double relative_ior,
@@ -44,7 +46,14 @@ Reflectivity reflectivity(const FinishNode& finish, double cosine, double relati
   return result;
 }
 
-RGB irid_factor(const Irid& irid, double thickness, double cosine_sum, const RGB& wavelength) {
+RGB irid_factor(const Irid& irid, const Vec3& point, double cosine_sum,
+                const GlobalSettings& settings) {
+  double thickness = irid.thickness;
+  if (irid.turbulence != 0) {
+    const double noise = turbulence(point, 5, 0.5, 2, settings.noise_generator);
+    thickness *= 1 + irid.turbulence * (2 * noise - 1);
+  }
+  const RGB& wavelength = settings.irid_wavelength;
   const double path = 2 * M_PI * thickness * cosine_sum;
   auto channel = [&](float lambda) {
     return static_cast<float>(1 + irid.amount * std::cos(path / lambda));

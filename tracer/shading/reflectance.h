@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tracer/math/vector.h"
-#include "tracer/scene/texture.h"
+#include "tracer/scene/scene.h"
 
 namespace durer {
 
@@ -36,6 +36,6 @@ Reflectivity reflectivity(const FinishNode& finish, double cosine, double relati
                           const RGB& pigment);
 
 // Factor of thin-film interference (8.5).
-RGB irid_factor(const Irid& irid, double thickness, double cosine_sum, const RGB& wavelength);
+RGB irid_factor(const Irid& irid, const Vec3& point, double cosine_sum, const GlobalSettings& settings);
 
 }  // namespace durer

@@ -1,6 +1,7 @@
 #include "tracer/shading/shading_scene.h"
 
 #include "tracer/scene/not_supported.h"
+#include "tracer/world/pattern_services.h"
 
 namespace durer {
 namespace {
@@ -34,11 +35,13 @@ ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
       world(std::move(built)),
       options(chosen),
       new_opacity_rule(from.effective_version >= 370),
-      atmosphere(from, texture_settings(from, chosen), chosen.output_alpha) {
+      atmosphere(from, WorldPatternServices(texture_settings(from, chosen)).settings(),
+                 chosen.output_alpha) {
   refuse_missing_features(scene, *world, options.quality);
 
   // Textures, and which of them can never let light through.
-  const TextureSettings settings = texture_settings(scene, options);
+  const WorldPatternServices services(texture_settings(scene, options));
+  const TextureSettings& settings = services.settings();
   std::vector<bool> opaque;
   for (const TexturePtr& node : world->textures()) {
     textures.push_back(compile_texture(*node, settings));

@@ -341,10 +341,10 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   }
 
   if (finish.irid.amount > 0) {
-    sum *= irid_factor(finish.irid, finish.irid.thickness,
+    sum *= irid_factor(finish.irid, hit.surface.point,
                        std::abs(dot(normal, arriving.direction.direction)) +
                            std::abs(dot(normal, ray.direction)),
-                       scene_.scene.settings.irid_wavelength);
+                       scene_.scene.settings);
   }
   return sum;
 }
@@ -369,10 +369,10 @@ RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, cons
   next.path = extend_path(ray.path, kEventReflection);
   RGB seen = trace(next, counts).color;
   if (layer.finish.irid.amount > 0) {
-    seen *= irid_factor(layer.finish.irid, layer.finish.irid.thickness,
+    seen *= irid_factor(layer.finish.irid, hit.surface.point,
                         std::abs(dot(normal, next.direction)) +
                             std::abs(dot(normal, ray.direction)),
-                        scene_.scene.settings.irid_wavelength);
+                        scene_.scene.settings);
   }
   return seen;
 }

@@ -87,9 +87,6 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
   }
   if (node.finish) layer.finish = *node.finish;
   layer.highlight_exponent = layer.finish.roughness != 0 ? 1 / layer.finish.roughness : 0;
-  if (layer.finish.irid.amount > 0 && layer.finish.irid.turbulence != 0) {
-    throw NotSupported("turbulence in irid", node.pattern.position);
-  }
   return layer;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/scene/not_supported.h"
+#include "tracer/patterns/noise.h"
 
 namespace durer {
 namespace {
@@ -36,6 +36,7 @@ double mean_ground_density(double start, double end) {
 Atmosphere::Atmosphere(const Scene& scene, const TextureSettings& settings, bool output_alpha)
     : new_rules_(scene.effective_version >= 370),
       output_alpha_(output_alpha),
+      noise_generator_(scene.settings.noise_generator),
       background_(scene.background) {
   if (scene.sky_sphere) {
     for (const auto& pigment : scene.sky_sphere->pigments) {
@@ -46,7 +47,6 @@ Atmosphere::Atmosphere(const Scene& scene, const TextureSettings& settings, bool
   }
   for (const FogNode& fog : scene.fogs) {
     if (std::abs(fog.distance) <= kEpsilon) continue;
-    if (fog.has_turbulence) throw NotSupported("turbulence in fog", {});
     fogs_.push_back(fog);
     fogs_.back().up = normalize_or_zero(fog.up);
   }
@@ -129,7 +129,15 @@ void Atmosphere::apply_fog(const Vec3& origin, const Vec3& direction, double dep
       const double end = (dot(origin + depth * direction, fog.up) - fog.offset) / fog.altitude;
       density = mean_ground_density(start, end);
     }
-    float a = static_cast<float>(std::exp(-depth * density / fog.distance));
+    double length = depth;
+    if (fog.has_turbulence) {
+      const Turbulence& t = fog.turbulence;
+      const Vec3 middle = (origin + 0.5 * depth * direction) * t.strength;
+      const double thinning = turbulence(middle, t.octaves, static_cast<double>(t.omega),
+                                         static_cast<double>(t.lambda), noise_generator_);
+      length *= 1 - std::exp(-depth / fog.distance) * std::min(1.0, thinning * fog.turbulence_depth);
+    }
+    float a = static_cast<float>(std::exp(-length * density / fog.distance));
     a = std::max(a, fog.color.transmit);
     attenuation *= (RGB(1 - fog.color.filter) + fog.color.rgb() * fog.color.filter) * a;
     if (!shadow) added += fog.color.rgb() * (1 - a);

@@ -37,6 +37,7 @@ class Atmosphere {
 
   bool new_rules_;
   bool output_alpha_;
+  int noise_generator_;
   ColorRGBFT background_;
   std::vector<std::shared_ptr<const CompiledPigment>> sky_pigments_;
   Transform sky_transform_;
