@@ -383,7 +383,7 @@ FunctionHandle Parser::State::parse_function_body(const std::vector<FunctionPara
         consume();
         const auto pattern = parse_function_pattern(parser);
         try {
-          const WorldPatternServices services(function_settings(*this));
+          const WorldPatternServices services(function_settings(*this), scene.settings);
           return make_pattern_function(
               std::make_shared<Pattern>(*pattern, services.settings().patterns));
         } catch (const NotSupported& what) {
@@ -394,7 +394,7 @@ FunctionHandle Parser::State::parse_function_body(const std::vector<FunctionPara
         consume();
         const auto pigment = parse_function_pigment(parser);
         try {
-          const WorldPatternServices services(function_settings(*this));
+          const WorldPatternServices services(function_settings(*this), scene.settings);
           return make_pigment_function(
               std::make_shared<PigmentField>(compile_pigment(*pigment, services.settings())));
         } catch (const NotSupported& what) {

@@ -3,6 +3,8 @@
 
 #include "parser/parser.h"
 #include "parser/statements/textures.h"
+#include "tracer/functions/compiled_function.h"
+#include "tracer/scene/function.h"
 
 namespace durer {
 namespace {
@@ -19,6 +21,7 @@ ImageFileType accept_type(Parser& parser) {
       {Keyword::jpeg, ImageFileType::jpeg}, {Keyword::tiff, ImageFileType::tiff},
       {Keyword::bmp, ImageFileType::bmp},   {Keyword::exr, ImageFileType::exr},
       {Keyword::hdr, ImageFileType::hdr},   {Keyword::sys, ImageFileType::bmp},
+      {Keyword::pot, ImageFileType::pot},
   };
   for (const Word& word : kWords) {
     if (parser.accept(word.keyword)) return word.type;
@@ -52,19 +55,55 @@ ImageMapType parse_map_type(Parser& parser, bool strict) {
   return ImageMapType::planar;
 }
 
+// Kept as the low 16 bits of value * 65535, not clamped (spec/functions.md 9).
+uint16_t stored_value(double value) {
+  const float scaled = static_cast<float>(value) * 65535.0f;
+  if (!std::isfinite(scaled)) return 0;
+  return static_cast<uint16_t>(static_cast<int64_t>(scaled) & 0xFFFF);
+}
+
+std::shared_ptr<const FunctionRaster> parse_function_raster(Parser& parser) {
+  auto raster = std::make_shared<FunctionRaster>();
+  const double width = parser.parse_float();
+  parser.accept_comma();
+  const double height = parser.parse_float();
+  if (!(width >= 0.5 && height >= 0.5 && width * height < 1e9)) {
+    parser.error("an image needs at least one pixel, and at most a billion");
+  }
+  raster->width = static_cast<int>(width + 0.5);
+  raster->height = static_cast<int>(height + 0.5);
+  const auto function = parser.parse_function(FunctionParameters::xyz);
+  const CompiledFunction& compiled = *function->compiled;
+  if (compiled.is_vector() && compiled.kind() != FunctionKind::pigment) {
+    parser.error("an image can be made of a number or of a pigment only");
+  }
+  raster->channels = compiled.is_vector() ? 4 : 1;
+  raster->values.reserve(static_cast<size_t>(raster->width) * raster->height * raster->channels);
+  for (int row = 0; row < raster->height; ++row) {
+    for (int column = 0; column < raster->width; ++column) {
+      const double arguments[3] = {static_cast<double>(column) / (raster->width - 1),
+                                   static_cast<double>(row) / (raster->height - 1), 0};
+      if (!compiled.is_vector()) {
+        raster->values.push_back(stored_value(compiled.value(
+            Vec3(arguments[0], arguments[1], arguments[2]))));
+        continue;
+      }
+      double color[5];
+      compiled.evaluate(arguments, color);
+      for (int i = 0; i < 3; ++i) raster->values.push_back(stored_value(color[i]));
+      raster->values.push_back(stored_value(1 - color[4]));
+    }
+  }
+  return raster;
+}
+
 }  // namespace
 
 std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
   auto source = std::make_shared<ImageSource>();
   if (parser.accept(Keyword::function)) {
     source->type = ImageFileType::function;
-    source->function_width = parser.parse_int();
-    parser.accept_comma();
-    source->function_height = parser.parse_int();
-    if (source->function_width < 1 || source->function_height < 1) {
-      parser.error("an image needs at least one pixel");
-    }
-    source->function = parser.parse_function(FunctionParameters::xyz);
+    source->function = parse_function_raster(parser);
     return source;
   }
   source->type = accept_type(parser);

@@ -39,9 +39,12 @@ class PatternServices {
       const std::shared_ptr<const PigmentNode>& pigment) const = 0;
 };
 
+class ImageCache;
+
 struct PatternSettings {
   int noise_generator = 2;  // the scene's; a pattern's own goes first
   int number_of_waves = 10;
+  ImageCache* images = nullptr;  // null: image_pattern is not supported
   const PatternServices* services = nullptr;  // null: `object`, `pigment_pattern` not supported
 };
 

@@ -22,6 +22,7 @@ DURER_PATTERN(density_file);
 DURER_PATTERN(dents);
 DURER_PATTERN(facets);
 DURER_PATTERN(function);
+DURER_PATTERN(image_pattern);
 DURER_PATTERN(gradient);
 DURER_PATTERN(granite);
 DURER_PATTERN(hexagon);

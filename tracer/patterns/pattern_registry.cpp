@@ -34,7 +34,7 @@ constexpr Entry kEntries[] = {
     {K::granite, "granite", make_granite},
     {K::hexagon, "hexagon", make_hexagon},
     {K::image_map, "image_map", nullptr},
-    {K::image_pattern, "image_pattern", nullptr},
+    {K::image_pattern, "image_pattern", make_image_pattern},
     {K::julia, "julia", make_julia},
     {K::leopard, "leopard", make_leopard},
     {K::magnet_julia, "magnet julia", make_magnet_julia},

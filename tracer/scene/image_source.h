@@ -2,6 +2,7 @@
 // (spec/textures.md 12), as written.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,12 +14,16 @@
 
 namespace durer {
 
-struct FunctionNode;
+// A function image, evaluated where it was read: 16 bits per value, grey or RGBA, row 0 on top.
+struct FunctionRaster {
+  int width = 0, height = 0, channels = 1;
+  std::vector<uint16_t> values;
+};
 
 enum class ImageMapType { planar = 0, spherical = 1, cylindrical = 2, toroidal = 5 };
 enum class ImageInterpolation { none = 0, bilinear = 2, bicubic = 3, normalized_distance = 4 };
 
-enum class ImageFileType { by_name, tga, png, ppm, pgm, gif, iff, jpeg, tiff, bmp, exr, hdr, function };
+enum class ImageFileType { by_name, tga, png, ppm, pgm, gif, iff, jpeg, tiff, bmp, exr, hdr, pot, function };
 enum class ImageGamma { automatic, power, srgb };
 
 struct ImageSource {
@@ -28,9 +33,7 @@ struct ImageSource {
   ImageGamma gamma_kind = ImageGamma::automatic;
   double gamma = 1;
   std::optional<bool> premultiplied;
-  // image_map { function w, h { ... } }
-  int function_width = 0, function_height = 0;
-  std::shared_ptr<const FunctionNode> function;
+  std::shared_ptr<const FunctionRaster> function;  // image_map { function w, h { ... } }
   ImageMapType map_type = ImageMapType::planar;
   ImageInterpolation interpolation = ImageInterpolation::none;
   bool once = false;

@@ -35,12 +35,13 @@ ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
       world(std::move(built)),
       options(chosen),
       new_opacity_rule(from.effective_version >= 370),
-      atmosphere(from, WorldPatternServices(texture_settings(from, chosen)).settings(),
+      atmosphere(from,
+                 WorldPatternServices(texture_settings(from, chosen), from.settings).settings(),
                  chosen.output_alpha) {
   refuse_missing_features(scene, *world, options.quality);
 
   // Textures, and which of them can never let light through.
-  const WorldPatternServices services(texture_settings(scene, options));
+  const WorldPatternServices services(texture_settings(scene, options), scene.settings);
   const TextureSettings& settings = services.settings();
   std::vector<bool> opaque;
   for (const TexturePtr& node : world->textures()) {

@@ -1,10 +1,10 @@
 // Perturbed normals (spec/textures.md 14).
 #include <cmath>
 
+#include "tracer/image/image.h"
 #include "tracer/patterns/facets.h"
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/wave_sources.h"
-#include "tracer/scene/not_supported.h"
 #include "tracer/texture/blend_map.h"
 #include "tracer/texture/surface_texture.h"
 
@@ -287,6 +287,52 @@ class AverageNormal : public CompiledNormal {
   std::vector<NormalEntry> entries_;
 };
 
+// Slopes of a picture's brightness (14.3).
+class BumpMapNormal : public CompiledNormal {
+ public:
+  BumpMapNormal(const NormalNode& node, const TextureSettings& settings)
+      : warps_(node.pattern.warps),
+        frame_(node.pattern.warps, node.no_bump_scale),
+        sampler_(settings.patterns.images->get(*node.pattern.image, ImageUse::raw),
+                 *node.pattern.image),
+        amount_(static_cast<double>(node.bump_size)),
+        use_index_(node.pattern.image->use_index && sampler_.image().is_palette()) {}
+
+  Vec3 perturb(const Vec3& point, const TextureContext&, const Vec3& normal) const override {
+    double x, y;
+    if (!sampler_.locate(apply_warps(warps_, point), x, y)) return normal;
+    const double width = sampler_.image().width(), height = sampler_.image().height();
+    const double left = x - 1 < 0 ? x - 1 + width : x - 1;
+    const double right = x + 1 >= width ? x + 1 - width : x + 1;
+    const double below = y + 1 >= height ? y + 1 - height : y + 1;
+    const double g1 = grey(x, y), g2 = grey(left, below), g3 = grey(right, below);
+    const Vec3 b = normalize_or_zero(
+        cross(Vec3(2, amount_ * (g3 - g2), 0), Vec3(1, amount_ * (g1 - g2), -1)));
+    const Vec3 n = frame_.inwards(normal);
+    Vec3 up = n, side = cross(n, Vec3(0, 1, 0));
+    if (length(side) < 1e-10) {
+      side = {1, 0, 0};
+      up = {0, n.y < 0 ? -1.0 : 1.0, 0};
+    } else {
+      side = normalize_or_zero(side);
+    }
+    const Vec3 depth = normalize_or_zero(cross(side, up));
+    return normalize_or_zero(frame_.outwards(b.x * side + b.y * up - b.z * depth));
+  }
+
+ private:
+  double grey(double x, double y) const {
+    if (use_index_) return sampler_.index(x, y);
+    return static_cast<double>(sampler_.color(x, y).rgb().grey());
+  }
+
+  std::vector<Warp> warps_;
+  NormalFrame frame_;
+  ImageSampler sampler_;
+  double amount_;
+  bool use_index_;
+};
+
 class UvNormal : public CompiledNormal {
  public:
   explicit UvNormal(std::shared_ptr<const CompiledNormal> inner) : inner_(std::move(inner)) {}
@@ -309,7 +355,7 @@ std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
     case PatternKind::average:
       return std::make_shared<AverageNormal>(node, settings);
     case PatternKind::bump_map:
-      throw NotSupported("bump_map", node.pattern.position);
+      return std::make_shared<BumpMapNormal>(node, settings);
     default:
       if (node.normal_map) return std::make_shared<MappedNormal>(node, settings);
       return std::make_shared<PatternNormal>(node, settings.patterns);

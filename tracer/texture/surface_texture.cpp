@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "tracer/scene/not_supported.h"
 #include "tracer/texture/blend_map.h"
+#include "tracer/texture/image_lookup.h"
 
 namespace durer {
 namespace {
@@ -119,8 +119,15 @@ std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& node,
       }
       break;
     }
-    case TextureNode::Kind::material_map:
-      throw NotSupported("material_map", node.pattern.position);
+    case TextureNode::Kind::material_map: {
+      std::vector<std::shared_ptr<const CompiledTexture>> materials;
+      for (const auto& material : node.materials) {
+        materials.push_back(compile_texture(*material, settings));
+        texture->is_opaque = texture->is_opaque && materials.back()->is_opaque;
+      }
+      texture->selector = make_material_selector(node, std::move(materials), settings);
+      break;
+    }
   }
   return texture;
 }

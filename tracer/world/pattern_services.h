@@ -1,6 +1,7 @@
 // What patterns ask of objects and pigments (tracer/patterns/pattern.h).
 #pragma once
 
+#include "tracer/image/image.h"
 #include "tracer/patterns/pattern.h"
 #include "tracer/texture/surface_texture.h"
 
@@ -10,8 +11,11 @@ namespace durer {
 class WorldPatternServices final : public PatternServices {
  public:
   // `settings` without services; those that patterns below are compiled with.
-  explicit WorldPatternServices(TextureSettings settings) : settings_(settings) {
+  WorldPatternServices(TextureSettings settings, const GlobalSettings& globals)
+      : images_({settings.effective_version, globals.gamma_kind, globals.assumed_gamma}),
+        settings_(settings) {
     settings_.patterns.services = this;
+    settings_.patterns.images = &images_;
   }
   WorldPatternServices(const WorldPatternServices&) = delete;
   WorldPatternServices& operator=(const WorldPatternServices&) = delete;
@@ -24,6 +28,7 @@ class WorldPatternServices final : public PatternServices {
       const std::shared_ptr<const PigmentNode>& pigment) const override;
 
  private:
+  ImageCache images_;  // what has been read
   TextureSettings settings_;
 };
 

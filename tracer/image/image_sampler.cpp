@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tracer/image/image.h"
+
+namespace durer {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+
+// Around y, 0 on the +x side; fraction of a whole turn (spec/textures.md 5).
+double azimuth_fraction(double x, double z, double radius) {
+  double angle;
+  if (z == 0) {
+    angle = x > 0 ? 0 : M_PI;
+  } else {
+    angle = std::acos(x / radius);
+    if (z < 0) angle = 2 * M_PI - angle;
+  }
+  return angle / (2 * M_PI);
+}
+
+double wrap(double value, double size) {
+  const double rest = std::fmod(value, size);
+  return rest < 0 ? rest + size : rest;
+}
+
+int wrap_index(int i, int size) {
+  i %= size;
+  return i < 0 ? i + size : i;
+}
+
+}  // namespace
+
+ImageSampler::ImageSampler(std::shared_ptr<const Image> image, const ImageSource& source)
+    : image_(std::move(image)),
+      map_type_(source.map_type),
+      interpolation_(source.interpolation),
+      once_(source.once),
+      premultiplied_(source.premultiplied.value_or(image_->type() == ImageFileType::tiff ||
+                                                   image_->type() == ImageFileType::exr)),
+      width_(image_->width()),
+      height_(image_->height()),
+      repeated_width_(width_ * static_cast<double>(static_cast<float>(source.repeat.x))),
+      repeated_height_(height_ * static_cast<double>(static_cast<float>(source.repeat.y))),
+      offset_(source.offset) {
+  if (!image_->is_palette()) {
+    if (!source.filter_by_index.empty() || !source.transmit_by_index.empty())
+      throw std::runtime_error("filter and transmit by index need an image with a palette: '" +
+                               source.path + "' has none");
+    added_filter_ = source.filter_all.value_or(0);
+    added_transmit_ = source.transmit_all.value_or(0);
+    return;
+  }
+  // Of the palette, the entries themselves change.
+  for (int i = 0; i < 256; ++i) {
+    const auto& entry = i < image_->palette_size()
+                            ? image_->raster().palette[static_cast<size_t>(i)]
+                            : std::array<uint8_t, 4>{0, 0, 0, 255};
+    ColorRGBFT c;
+    c.transmit = 1 - static_cast<float>(entry[3]) / 255.0f;
+    if (source.filter_all) c.filter = *source.filter_all;
+    if (source.transmit_all) c.transmit = *source.transmit_all;
+    palette_.push_back(c);
+  }
+  const auto set = [&](const std::vector<std::pair<int, float>>& list, float ColorRGBFT::*part) {
+    for (const auto& [index, value] : list) {
+      if (index < 0 || index >= image_->palette_size())
+        throw std::runtime_error("the palette of '" + source.path + "' has no entry " +
+                                 std::to_string(index));
+      palette_[static_cast<size_t>(index)].*part = value;
+    }
+  };
+  set(source.filter_by_index, &ColorRGBFT::filter);
+  set(source.transmit_by_index, &ColorRGBFT::transmit);
+}
+
+bool ImageSampler::is_opaque() const {
+  if (once_) return false;
+  if (!palette_.empty())
+    return std::all_of(palette_.begin(), palette_.begin() + image_->palette_size(),
+                       [](const ColorRGBFT& c) { return c.is_opaque(); });
+  return image_->is_opaque() && added_filter_ == 0 && added_transmit_ == 0;
+}
+
+bool ImageSampler::locate(const Vec3& p, double& x, double& y) const {
+  double u = 0, v = 0;
+  const double around = std::sqrt(p.x * p.x + p.z * p.z);
+  switch (map_type_) {
+    case ImageMapType::planar:
+      if (once_ && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1)) return false;
+      u = std::fmod(p.x * repeated_width_, repeated_width_);
+      v = std::fmod(p.y * repeated_height_, repeated_height_);
+      break;
+    case ImageMapType::spherical: {
+      const double distance = length(p);
+      if (distance == 0) return false;
+      u = (around == 0 ? 0 : azimuth_fraction(p.x, p.z, around)) * repeated_width_;
+      v = (0.5 + std::asin(std::clamp(p.y / distance, -1.0, 1.0)) / M_PI) * repeated_height_;
+      break;
+    }
+    case ImageMapType::cylindrical:
+      if ((once_ && (p.y < 0 || p.y > 1)) || around == 0) return false;
+      u = azimuth_fraction(p.x, p.z, around) * repeated_width_;
+      v = std::fmod(p.y * repeated_height_, repeated_height_);
+      break;
+    case ImageMapType::toroidal: {
+      if (around == 0) return false;
+      u = azimuth_fraction(p.x, p.z, around) * repeated_width_;
+      const double rho = around - 1, tube = std::sqrt(rho * rho + p.y * p.y);
+      double phi = tube == 0 ? 0 : std::acos(-rho / tube);
+      if (p.y > 0) phi = 2 * M_PI - phi;
+      v = phi / (2 * M_PI) * repeated_height_;
+      break;
+    }
+  }
+  u += kEpsilon - width_ * offset_.x;
+  v += kEpsilon - height_ * offset_.y;
+  if (once_ && (u < 0 || v < 0 || u >= width_ || v >= height_)) return false;
+  x = wrap(u, width_);
+  y = wrap(-v, height_);
+  return true;
+}
+
+ColorRGBFT ImageSampler::fetch(int x, int y) const {
+  ColorRGBFT c = image_->pixel(x, y);
+  if (palette_.empty()) {
+    c.filter += added_filter_;
+    c.transmit += added_transmit_;
+  } else {
+    const ColorRGBFT& entry = palette_[static_cast<size_t>(image_->index(x, y))];
+    c.filter = entry.filter;
+    c.transmit = entry.transmit;
+  }
+  return c;
+}
+
+template <typename Value, typename Fetch>
+Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
+  const int width = image_->width(), height = image_->height();
+  const auto at = [&](int i, int j) {
+    if (once_)
+      return get(std::clamp(i, 0, width - 1), std::clamp(j, 0, height - 1));
+    return get(wrap_index(i, width), wrap_index(j, height));
+  };
+  if (interpolation_ == ImageInterpolation::none)
+    return at(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
+  const double a = x + 0.5, b = y + 0.5;
+  const int i = static_cast<int>(a), j = static_cast<int>(b);
+  const double f = a - i, g = b - j;
+  Value sum{};
+  if (interpolation_ == ImageInterpolation::bicubic) {
+    const auto weights = [](double t, double* w) {
+      const double q = 1 - t;
+      w[0] = -0.5 * t * q * q;
+      w[1] = 0.5 * q * (q * (3 * t + 1) + 1);
+      w[2] = 0.5 * t * (t * (3 * q + 1) + 1);
+      w[3] = -0.5 * q * t * t;
+    };
+    double wx[4], wy[4];
+    weights(f, wx);
+    weights(g, wy);
+    for (int n = 0; n < 4; ++n)
+      for (int m = 0; m < 4; ++m)
+        sum = sum + at(i - 2 + m, j - 2 + n) * static_cast<float>(wx[m] * wy[n]);
+    return sum;
+  }
+  double w[4];
+  if (interpolation_ == ImageInterpolation::bilinear) {
+    w[0] = f * g, w[1] = (1 - f) * g, w[2] = f * (1 - g), w[3] = (1 - f) * (1 - g);
+  } else {
+    const double p = 1 - f, q = 1 - g;
+    const double squared[4] = {p * p + q * q, f * f + q * q, p * p + g * g, f * f + g * g};
+    double total = 0;
+    for (int n = 0; n < 4; ++n) {
+      if (squared[n] == 0) return at(n % 2 ? i - 1 : i, n / 2 ? j - 1 : j);
+      w[n] = 1 / squared[n];
+      total += w[n];
+    }
+    for (double& weight : w) weight /= total;
+  }
+  for (int n = 0; n < 4; ++n)
+    sum = sum + at(n % 2 ? i - 1 : i, n / 2 ? j - 1 : j) * static_cast<float>(w[n]);
+  return sum;
+}
+
+ColorRGBFT ImageSampler::color(double x, double y) const {
+  return interpolate<ColorRGBFT>(x, y, [this](int i, int j) { return fetch(i, j); });
+}
+
+double ImageSampler::index(double x, double y) const {
+  return static_cast<double>(interpolate<float>(
+      x, y, [this](int i, int j) { return static_cast<float>(image_->index(i, j)); }));
+}
+
+}  // namespace durer

@@ -1,0 +1,49 @@
+// The numbers of a picture file before any meaning is given to them (spec/textures.md 12).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tracer/scene/image_source.h"
+
+namespace durer {
+
+// What the file says about its transfer curve.
+struct FileGamma {
+  enum class Kind : uint8_t { none, srgb, power };
+  Kind kind = Kind::none;
+  double gamma = 1;  // of the picture: value = light^(1/gamma)
+};
+
+struct RasterFile {
+  int width = 0, height = 0;
+  int channels = 1;  // grey, grey + alpha, RGB, RGBA; row 0 on top
+  int bits = 8;      // 8: bytes, 16: words, 32: floats is filled
+  std::vector<uint8_t> bytes;
+  std::vector<uint16_t> words;
+  std::vector<float> floats;
+  // Colour-mapped: bytes holds one index per pixel, channels is 1.
+  std::vector<std::array<uint8_t, 4>> palette;
+  FileGamma gamma;
+  ImageFileType type = ImageFileType::png;
+
+  bool is_palette() const { return !palette.empty(); }
+  bool has_alpha() const { return channels == 2 || channels == 4; }
+};
+
+// Throws std::runtime_error with a text for the user.
+RasterFile read_raster(const ImageSource& source);
+
+// By the name's extension; PNG where that says nothing.
+ImageFileType image_type_of(const std::string& path);
+
+RasterFile read_png(const std::string& path);
+RasterFile read_gif(const std::string& path);
+// A word-valued picture in the two halves of a gif's lines (spec/geometry.md 12.14).
+RasterFile read_pot(const std::string& path);
+// All other formats: through the module that holds OpenImageIO, loaded when first needed.
+RasterFile read_with_openimageio(const std::string& path);
+
+}  // namespace durer
