@@ -8,45 +8,58 @@ namespace durer {
 
 // The `#` has been read; the stream is live.
 void Parser::State::execute_directive() {
+  struct Directive {
+    Keyword word;
+    void (*run)(State&);
+  };
+  static constexpr Directive kDirectives[] = {
+      {Keyword::declare, [](State& s) { s.do_declare(false); }},
+      {Keyword::local, [](State& s) { s.do_declare(true); }},
+      {Keyword::if_, [](State& s) { s.do_if(); }},
+      {Keyword::ifdef, [](State& s) { s.do_ifdef(true); }},
+      {Keyword::ifndef, [](State& s) { s.do_ifdef(false); }},
+      {Keyword::else_, [](State& s) { s.do_else(); }},
+      {Keyword::elseif, [](State& s) { s.do_elseif(); }},
+      {Keyword::end, [](State& s) { s.do_end(); }},
+      {Keyword::while_, [](State& s) { s.do_while(); }},
+      {Keyword::for_, [](State& s) { s.do_for(); }},
+      {Keyword::switch_, [](State& s) { s.do_switch(); }},
+      {Keyword::case_, [](State& s) { s.do_case(false); }},
+      {Keyword::range, [](State& s) { s.do_case(true); }},
+      {Keyword::break_, [](State& s) { s.do_break(); }},
+      {Keyword::macro, [](State& s) { s.do_macro(); }},
+      {Keyword::undef, [](State& s) { s.do_undef(); }},
+      {Keyword::include, [](State& s) { s.do_include(); }},
+      {Keyword::version, [](State& s) { s.do_version(); }},
+      {Keyword::default_, [](State& s) { parse_default_block(s.parser); }},
+      {Keyword::fopen, [](State& s) { s.do_fopen(); }},
+      {Keyword::fclose, [](State& s) { s.do_fclose(); }},
+      {Keyword::read, [](State& s) { s.do_read(); }},
+      {Keyword::write, [](State& s) { s.do_write(); }},
+      {Keyword::debug, [](State& s) { s.do_message(Keyword::debug); }},
+      {Keyword::warning, [](State& s) { s.do_message(Keyword::warning); }},
+      {Keyword::error, [](State& s) { s.do_message(Keyword::error); }},
+      {Keyword::render, [](State& s) { s.do_message(Keyword::render); }},
+      {Keyword::statistics, [](State& s) { s.do_message(Keyword::statistics); }},
+  };
   // The word is not looked up: a macro of the same name cannot come between.
-  const Token word = raw_next();
-  if (word.kind != TokenKind::keyword) error("expected a directive after '#'");
-  switch (word.keyword) {
-    case Keyword::declare: return do_declare(false);
-    case Keyword::local: return do_declare(true);
-    case Keyword::if_: return do_if();
-    case Keyword::ifdef: return do_ifdef(true);
-    case Keyword::ifndef: return do_ifdef(false);
-    case Keyword::else_: return do_else();
-    case Keyword::elseif: return do_elseif();
-    case Keyword::end: return do_end();
-    case Keyword::while_: return do_while();
-    case Keyword::for_: return do_for();
-    case Keyword::switch_: return do_switch();
-    case Keyword::case_: return do_case(false);
-    case Keyword::range: return do_case(true);
-    case Keyword::break_: return do_break();
-    case Keyword::macro: return do_macro();
-    case Keyword::undef: return do_undef();
-    case Keyword::include: return do_include();
-    case Keyword::version: return do_version();
-    case Keyword::default_: return parse_default_block(parser);
-    case Keyword::fopen: return do_fopen();
-    case Keyword::fclose: return do_fclose();
-    case Keyword::read: return do_read();
-    case Keyword::write: return do_write();
-    case Keyword::debug:
-    case Keyword::warning:
-    case Keyword::error:
-    case Keyword::render:
-    case Keyword::statistics:
-      return do_message(word.keyword);
-    default:
-      error("there is no directive #" + std::string(names.text(word.name)));
+  const Token word = raw_peek();
+  if (word.kind == TokenKind::identifier && !symbols.find(word.name)) {
+    raw_next();
+    error("there is no directive #" + std::string(names.text(word.name)));
+  }
+  // A `#` before anything else that could stand there is passed over, as POV-Ray does.
+  if (word.kind != TokenKind::keyword) return;
+  for (const Directive& directive : kDirectives) {
+    if (directive.word != word.keyword) continue;
+    raw_next();
+    return directive.run(*this);
   }
 }
 
 void Parser::State::do_declare(bool local) {
+  // The value may come from a macro whose own scope is still open when it is stored.
+  const uint32_t scope = local ? symbols.innermost() : 0;
   std::unique_ptr<Deprecation> deprecation;
   Name name = 0;
   Reference target;
@@ -118,7 +131,7 @@ void Parser::State::do_declare(bool local) {
   if (is_element) {
     store(target, std::move(right.value));
   } else {
-    assign(name, std::move(right.value), local, std::move(deprecation));
+    assign(name, std::move(right.value), local, scope, std::move(deprecation));
   }
   const FlagScope off(directives_live, false);
   check_semicolon(numeric);
@@ -141,7 +154,7 @@ void Parser::State::check_semicolon(bool numeric) {
   }
 }
 
-void Parser::State::assign(Name name, Value value, bool local,
+void Parser::State::assign(Name name, Value value, bool local, uint32_t scope,
                            std::unique_ptr<Deprecation> deprecation) {
   // What the name means now: reading the value may have changed it.
   Entry* entry = symbols.find(name);
@@ -149,7 +162,7 @@ void Parser::State::assign(Name name, Value value, bool local,
     store(*entry->alias, std::move(value));
     return;
   }
-  if (entry && (!local || entry->scope == symbols.innermost())) {
+  if (entry && (!local || entry->scope == scope)) {
     const ValueKind kind = entry->value.kind();
     if (kind == ValueKind::function) {
       error("function " + quoted(name) + " is declared already",
@@ -160,7 +173,7 @@ void Parser::State::assign(Name name, Value value, bool local,
     entry->value = std::move(value);
     return;
   }
-  Entry& fresh = symbols.add(name, local ? symbols.innermost() : 0);
+  Entry& fresh = symbols.add(name, scope);
   fresh.value = std::move(value);
   fresh.deprecation = std::move(deprecation);
 }

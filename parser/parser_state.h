@@ -157,7 +157,7 @@ struct Parser::State {
   void do_include();
   void do_version();
   void do_message(Keyword which);
-  void assign(Name name, Value value, bool local,
+  void assign(Name name, Value value, bool local, uint32_t scope,
               std::unique_ptr<Deprecation> deprecation);
   void check_semicolon(bool numeric);
   void write_debug(const std::string& text);

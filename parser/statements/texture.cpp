@@ -167,7 +167,7 @@ class TextureReader {
     node.kind = TextureNode::Kind::material_map;
     parser_.expect_open("material_map");
     node.pattern.image = parse_image_options(parser_, PatternKind::none);
-    while (parser_.accept(Keyword::texture)) node.materials.push_back(parse_layers());
+    while (parser_.accept(Keyword::texture)) node.materials.push_back(parse_texture(parser_));
     if (node.materials.empty()) parser_.error("a material_map needs at least one texture");
     parser_.expect_close("material_map");
   }
