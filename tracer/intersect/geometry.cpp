@@ -324,7 +324,7 @@ void Geometry::finish_node(uint32_t index) {
   node.surface = Bounds::everything();
   if (node.kind == NodeKind::shape) {
     Bounds box = node.shape->bounds();
-    if (!box.is_empty() && box.is_bounded()) {
+    if (!box.is_empty() && box.is_bounded() && node.shape->is_solid_within_bounds()) {
       if (node.transform >= 0) box = transforms[node.transform].bounds(box);
       const Vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
       const Vec3 margin = size * 1e-9 + Vec3(1e-12);

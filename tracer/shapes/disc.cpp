@@ -28,6 +28,7 @@ class Disc final : public Shape {
   }
 
   // The whole half-space behind the disc.
+  bool is_solid_within_bounds() const override { return false; }  // a half-space
   bool inside(const Vec3& p) const override { return p.z < 0; }
   Vec3 normal(const Vec3&, const ShapeHit&) const override { return {0, 0, 1}; }
 

@@ -26,6 +26,7 @@ PlacedShape compile(const BicubicPatchNode& node, const ShapeContext& context);
 PlacedShape compile(const LatheNode& node, const ShapeContext& context);
 PlacedShape compile(const SorNode& node, const ShapeContext& context);
 PlacedShape compile(const PrismNode& node, const ShapeContext& context);
+PlacedShape compile(const HeightFieldNode& node, const ShapeContext& context);
 
 namespace {
 

@@ -70,6 +70,8 @@ class Shape {
   virtual void hits(const ShapeRay& ray, HitStack& out) const = 0;
   // Solid test, without any inverse mark. Patches: always false.
   virtual bool inside(const Vec3& point) const = 0;
+  // Whether all points outside bounds() are outside the solid, too.
+  virtual bool is_solid_within_bounds() const { return true; }
   // The same test of the inverted solid; differs from the negation where borders are in neither.
   virtual bool inside_inverted(const Vec3& point) const { return !inside(point); }
   // Local, of any length but zero.
