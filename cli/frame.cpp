@@ -3,9 +3,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <memory>
+#include <optional>
+#include <stdexcept>
 
 #include "cli/interrupt.h"
 #include "cli/output_name.h"
@@ -150,13 +154,24 @@ class FrameRenderer {
 
   // Fails before any work is done if the picture could not be written at its end.
   void check_output(const std::string& path) {
-    const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
     struct stat status;
     if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
       fail("cannot write '" + path + "': it is a folder");
     }
-    if (access(folder.c_str(), W_OK) != 0) {
+    const std::string folder = folder_of(path);
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) {
       fail("cannot write '" + path + "': " + std::strerror(errno));
+    }
+  }
+
+  // Takes over the blocks of an interrupted run, or begins a new file.
+  void open_state(StateFile& state, Picture& picture, const std::string& path) {
+    if (options_.continue_trace) {
+      if (state.load(picture) > 0) return;
+      console_.line(Stream::render, "nothing to continue: the picture is rendered from its start");
+    }
+    if (!state.create()) {
+      fail("cannot write '" + state_path(path) + "': " + std::strerror(errno));
     }
   }
 
@@ -166,12 +181,16 @@ class FrameRenderer {
     const std::string path =
         to_stream ? options_.output_name
                   : output_path(options_.input_file, options_.output_name, options_.file_type, suffix);
-    const bool to_file = options_.output_to_file && !to_stream;
-    if (to_file && options_.continue_trace && exists_and_not_empty(path)) {
-      console_.line(Stream::render, path + " is there already; nothing is rendered");
-      return FrameOutcome::already_there;
+    std::optional<StateFile> state;
+    if (options_.output_to_file && !to_stream) {
+      state.emplace(state_path(path), state_identity(options_, frame_));
+      // A picture beside a state file is a preview of one that is not finished.
+      if (options_.continue_trace && exists_and_not_empty(path) && !state->exists()) {
+        console_.line(Stream::render, path + " is there already; nothing is rendered");
+        return FrameOutcome::already_there;
+      }
+      check_output(path);
     }
-    if (to_file) check_output(path);
 
     std::unique_ptr<World> world = World::build(
         *scene_, {options_.bounding_threshold, options_.remove_bounds, options_.split_unions});
@@ -184,29 +203,26 @@ class FrameRenderer {
                                                   : WhittedIntegrator::Depth::recursive);
     statistics_.build_seconds = watch.lap();
 
-    Framebuffer picture(options_.render.width, options_.render.height);
-    std::optional<StateFile> state;
-    if (to_file) {
-      state.emplace(state_path(path), state_identity(options_, frame_), picture);
-      if (options_.continue_trace && state->load() == 0) {
-        console_.line(Stream::render, "nothing to continue: the picture is rendered from its start");
+    try {
+      const std::unique_ptr<Picture> picture =
+          make_picture(options_.render.width, options_.render.height,
+                       options_.most_picture_bytes, folder_of(path));
+      if (state) {
+        open_state(*state, *picture, path);
+        // No old picture stays under the name of one that is not finished.
+        std::remove(path.c_str());
       }
-      // No old picture stays under the name of one that is not finished.
-      std::remove(path.c_str());
-    }
-    if (!render_blocks(scene, camera, integrator, path, state ? &*state : nullptr, picture)) {
-      return FrameOutcome::stopped;
-    }
-    statistics_.render_seconds = watch.lap();
-
-    if (options_.output_to_file) {
-      try {
-        write_picture(path, picture, options_, *scene_);
-      } catch (const std::exception& error) {
-        fail("cannot write the picture: " + std::string(error.what()));
+      if (!render_blocks(scene, camera, integrator, path, state ? &*state : nullptr, *picture)) {
+        return FrameOutcome::stopped;
       }
-      statistics_.output = path;
-      if (state) state->remove();
+      statistics_.render_seconds = watch.lap();
+      if (options_.output_to_file) {
+        write_picture(path, *picture, options_, *scene_);
+        statistics_.output = path;
+        if (state) state->remove();
+      }
+    } catch (const std::runtime_error& error) {
+      fail(error.what());
     }
     statistics_.write_seconds = watch.lap();
     report(path);
@@ -217,16 +233,19 @@ class FrameRenderer {
   // False: stopped by a signal.
   bool render_blocks(const ShadingScene& scene, const Camera& camera,
                      const Integrator& integrator, const std::string& path, StateFile* state,
-                     Framebuffer& picture) {
+                     Picture& picture) {
     const PixelWindow& window = options_.render.window;
-    const int64_t pixels =
-        static_cast<int64_t>(window.right - window.left) * (window.bottom - window.top);
+    const int64_t pixels = static_cast<int64_t>(std::max(window.width(), 0)) *
+                           std::max(window.height(), 0);
     Progress progress(console_, pixels, options_.verbose);
-    RenderWatch watch(progress, state, window);
+    RenderWatch watch(progress, state, [&](const std::string& text) {
+      console_.line(Stream::warning, "durer: warning: " + text);
+    });
     if (options_.preview_interval > 0 && state) {
-      watch.preview(picture, options_.preview_interval, [&](const Framebuffer& finished) {
-        write_picture(path, finished, options_, *scene_);
-      });
+      watch.preview(picture, options_.render.block_size, options_.preview_interval,
+                    [&](const Picture& finished) {
+                      write_picture(path, finished, options_, *scene_);
+                    });
     }
     begin_stoppable();
     statistics_.render =
@@ -237,12 +256,8 @@ class FrameRenderer {
     if (state) {
       // What the preview wrote is no finished picture.
       std::remove(path.c_str());
-      if (state->flush()) {
-        console_.line(Stream::fatal, "stopped; the finished blocks are kept in " +
-                                         state_path(path) + ", add +C to go on");
-      } else {
-        console_.line(Stream::fatal, "stopped; " + state_path(path) + " could not be written");
-      }
+      console_.line(Stream::fatal, "stopped; the finished blocks are kept in " + state_path(path) +
+                                       ", add +C to go on");
     }
     return false;
   }

@@ -58,6 +58,8 @@ void resolve_files(const OptionValues& values, Options& options) {
     options.file_curve = TransferCurve::power(values.number(Option::file_gamma, 1));
   }
   options.dither = dither_method(values);
+  options.most_picture_bytes =
+      static_cast<size_t>(std::max(values.integer(Option::max_image_buffer_memory, 128), 0)) << 20;
   if (options.greyscale && options.file_type != 'N' && options.file_type != 'P') {
     throw OptionError("grey pictures can be written as PNG (N) and PPM (P) only");
   }

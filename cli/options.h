@@ -44,6 +44,7 @@ struct Options {
   int compression = 0;
   TransferCurve file_curve = TransferCurve::srgb();
   DitherMethod dither = DitherMethod::none;
+  size_t most_picture_bytes = size_t{128} << 20;  // in memory; larger pictures wait on the disk
 
   // what to render
   bool parse_only = false;

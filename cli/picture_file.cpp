@@ -5,17 +5,45 @@
 #include <cstdio>
 
 #include "cli/output_name.h"
-#include "tracer/image/png_writer.h"
 
 namespace durer {
+namespace {
 
-std::string unsupported_format(const Options& options) {
-  if (!options.output_to_file || options.file_type == 'N') return "";
-  return std::string("writing .") + extension_of(options.file_type) + " pictures";
+PictureFileType file_type(char letter) {
+  switch (letter) {
+    case 'T': return PictureFileType::tga;
+    case 'C': return PictureFileType::tga_rle;
+    case 'J': return PictureFileType::jpeg;
+    case 'P': return PictureFileType::ppm;
+    case 'B': return PictureFileType::bmp;
+    case 'E': return PictureFileType::exr;
+    case 'H': return PictureFileType::hdr;
+    case 'F': return PictureFileType::tiff;
+    default: return PictureFileType::png;
+  }
 }
 
-PixelFormat pixel_format(const Options& options, const Scene& scene) {
-  PixelFormat format;
+bool has_alpha(PictureFileType type) {
+  return type != PictureFileType::jpeg && type != PictureFileType::ppm &&
+         type != PictureFileType::hdr;
+}
+
+bool has_dithering(PictureFileType type) {
+  return type != PictureFileType::jpeg && type != PictureFileType::exr;
+}
+
+// Formats with other bits than 8 per channel.
+bool has_free_bits(PictureFileType type) {
+  return type == PictureFileType::png || type == PictureFileType::ppm;
+}
+
+}  // namespace
+
+PictureOutput picture_output(const Options& options, const Scene& scene) {
+  PictureOutput output;
+  output.type = file_type(options.file_type);
+  output.compression = options.compression;
+  PixelFormat& format = output.format;
   format.file = options.file_curve;
   switch (scene.settings.gamma_kind) {
     case AssumedGamma::srgb:
@@ -32,24 +60,32 @@ PixelFormat pixel_format(const Options& options, const Scene& scene) {
       }
       break;
   }
-  format.bits = options.bits;
-  format.alpha = options.output_alpha;
+  if (has_free_bits(output.type)) {
+    format.bits = options.bits;
+  } else if (output.type == PictureFileType::tiff) {
+    format.bits = options.bits > 8 ? 16 : 8;
+  }
+  format.alpha = options.output_alpha && has_alpha(output.type);
   format.greyscale = options.greyscale;
   // POV-Ray's grey PNG always has 16 bits.
-  if (options.greyscale && options.file_type == 'N') format.bits = 16;
-  format.dither = options.dither;
-  return format;
+  if (options.greyscale && output.type == PictureFileType::png) format.bits = 16;
+  // POV-Ray's grey PPM holds the numbers of the working space.
+  if (options.greyscale && output.type == PictureFileType::ppm) {
+    format.working = format.file = TransferCurve::neutral();
+  }
+  if (has_dithering(output.type)) format.dither = options.dither;
+  return output;
 }
 
-void write_picture(const std::string& path, const Framebuffer& picture, const Options& options,
+void write_picture(const std::string& path, const Picture& picture, const Options& options,
                    const Scene& scene) {
-  const PixelFormat format = pixel_format(options, scene);
   if (path == "stderr") {
     // What goes to standard output from here on is the picture only.
     std::fflush(stdout);
     dup2(STDERR_FILENO, STDOUT_FILENO);
   }
-  write_png(is_standard_stream(path) ? "-" : path, picture, format);
+  write_picture_file(is_standard_stream(path) ? "-" : path, picture,
+                     picture_output(options, scene));
 }
 
 }  // namespace durer

@@ -1,10 +1,13 @@
 // What happens when a block is finished: progress, the state file, the preview.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "cli/progress.h"
 #include "cli/state_file.h"
@@ -14,31 +17,32 @@ namespace durer {
 
 class RenderWatch : public RenderObserver {
  public:
-  // state: null if nothing is kept. Pixels outside the window are not counted.
-  RenderWatch(Progress& progress, StateFile* state, const PixelWindow& window)
-      : progress_(progress), state_(state), window_(window) {}
+  // state: null if nothing is kept. `warn` is called from any thread.
+  RenderWatch(Progress& progress, StateFile* state, std::function<void(const std::string&)> warn)
+      : progress_(progress), state_(state), warn_(std::move(warn)) {}
 
-  // Calls `write` with a copy of the finished blocks every `seconds`.
-  void preview(const Framebuffer& picture, double seconds,
-               std::function<void(const Framebuffer&)> write);
+  // Calls `write` every `seconds` with the finished blocks of the picture; what `write` throws
+  // becomes a warning and ends the preview.
+  void preview(const Picture& picture, int block_size, double seconds,
+               std::function<void(const Picture&)> write);
 
   bool block_wanted(const PixelWindow& block) override;
-  void block_done(const PixelWindow& block) override;
+  void block_done(const Framebuffer& block) override;
 
  private:
+  class FinishedBlocks;
   struct Preview {
-    const Framebuffer& picture;
-    Framebuffer finished;  // a copy, so that nobody reads pixels that are being written
+    std::shared_ptr<FinishedBlocks> finished;
     std::chrono::duration<double> interval;
     std::chrono::steady_clock::time_point last;
-    std::function<void(const Framebuffer&)> write;
+    std::function<void(const Picture&)> write;
+    bool failed = false;
   };
-  int64_t pixels_in_window(const PixelWindow& block) const;
-  void update_preview(const PixelWindow& block);
+  void update_preview();
 
   Progress& progress_;
   StateFile* state_;
-  const PixelWindow window_;
+  std::function<void(const std::string&)> warn_;
   std::optional<Preview> preview_;
   std::mutex preview_mutex_;
 };

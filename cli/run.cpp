@@ -14,7 +14,6 @@
 #include "cli/option_reader.h"
 #include "cli/options.h"
 #include "cli/output_name.h"
-#include "cli/picture_file.h"
 #include "cli/shell.h"
 #include "tracer/scene/not_supported.h"
 
@@ -112,8 +111,6 @@ class Run {
       console_.line(Stream::fatal, "durer: there is no scene '" + options_.input_file + "'");
       throw FrameFailure();
     }
-    const std::string format = unsupported_format(options_);
-    if (!format.empty() && !options_.parse_only) throw NotSupported(format, {});
   }
 
   // Runs an event's command and applies its return action, as far as it ends the run.

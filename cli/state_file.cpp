@@ -1,100 +1,107 @@
 #include "cli/state_file.h"
 
+#include <fcntl.h>
+#include <sys/uio.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
 
 namespace durer {
 namespace {
 
-constexpr auto kWriteInterval = std::chrono::seconds(5);
+bool block_fits(const PixelWindow& block, const Picture& picture) {
+  return block.left >= 0 && block.top >= 0 && !block.is_empty() &&
+         block.right <= picture.width() && block.bottom <= picture.height();
+}
 
-bool block_fits(const PixelWindow& block, const Framebuffer& picture) {
-  return block.left >= 0 && block.top >= 0 && block.left < block.right &&
-         block.top < block.bottom && block.right <= picture.width() &&
-         block.bottom <= picture.height();
+bool read_all(int file, void* to, size_t size) {
+  char* next = static_cast<char*>(to);
+  while (size > 0) {
+    const ssize_t got = read(file, next, size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    next += got;
+    size -= static_cast<size_t>(got);
+  }
+  return true;
+}
+
+bool has_head(int file, const std::string& head) {
+  std::string found(head.size(), '\0');
+  return read_all(file, found.data(), found.size()) && found == head;
 }
 
 }  // namespace
 
-StateFile::StateFile(std::string path, std::string identity, Framebuffer& picture)
-    : path_(std::move(path)),
-      identity_("durer state " DURER_VERSION " " + identity + "\n"),
-      picture_(picture),
-      last_write_(std::chrono::steady_clock::now()) {}
+StateFile::StateFile(std::string path, const std::string& identity)
+    : path_(std::move(path)), identity_("durer state " DURER_VERSION " " + identity + "\n") {}
 
-StateFile::~StateFile() {
-  if (file_) std::fclose(file_);
+StateFile::~StateFile() { close(); }
+
+void StateFile::close() {
+  if (file_ >= 0) ::close(file_);
+  file_ = -1;
 }
 
-int64_t StateFile::load() {
-  file_ = std::fopen(path_.c_str(), "r+b");
-  if (!file_) return 0;
-  std::string head(identity_.size(), '\0');
-  if (std::fread(head.data(), 1, head.size(), file_) != head.size() || head != identity_) {
-    std::fclose(file_);
-    file_ = nullptr;
+bool StateFile::exists() const {
+  const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool ours = has_head(file, identity_);
+  ::close(file);
+  return ours;
+}
+
+int64_t StateFile::load(Picture& picture) {
+  file_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
+  if (file_ < 0) return 0;
+  if (!has_head(file_, identity_)) {
+    close();
     return 0;
   }
   int64_t pixels = 0;
-  long good_end = std::ftell(file_);
-  PixelWindow block;
-  while (std::fread(&block, sizeof block, 1, file_) == 1 && block_fits(block, picture_)) {
-    // A block whose end is missing (the machine went down) is rendered again.
-    std::vector<PixelColor> content(static_cast<size_t>(block.right - block.left) *
-                                    static_cast<size_t>(block.bottom - block.top));
-    if (std::fread(content.data(), sizeof(PixelColor), content.size(), file_) != content.size()) {
-      break;
-    }
-    size_t i = 0;
-    for (int y = block.top; y < block.bottom; ++y) {
-      for (int x = block.left; x < block.right; ++x) picture_.at(x, y) = content[i++];
-    }
-    loaded_.insert({block.left, block.top});
-    pixels += static_cast<int64_t>(content.size());
-    good_end = std::ftell(file_);
+  off_t good_end = lseek(file_, 0, SEEK_CUR);
+  PixelWindow window;
+  while (read_all(file_, &window, sizeof window) && block_fits(window, picture)) {
+    // A block whose end is missing is rendered again.
+    Framebuffer block(window);
+    if (!read_all(file_, block.pixels(), block.bytes())) break;
+    picture.store(block);
+    loaded_.insert({window.left, window.top});
+    pixels += static_cast<int64_t>(window.width()) * window.height();
+    good_end = lseek(file_, 0, SEEK_CUR);
   }
   // New blocks go where the good ones end.
-  if (std::fseek(file_, good_end, SEEK_SET) != 0 || ftruncate(fileno(file_), good_end) != 0) {
-    good_ = false;
-  }
+  if (ftruncate(file_, good_end) != 0 || lseek(file_, good_end, SEEK_SET) < 0) good_ = false;
   return pixels;
 }
 
-void StateFile::block_done(const PixelWindow& block) {
-  const std::lock_guard lock(mutex_);
-  pending_.push_back(block);
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_write_ < kWriteInterval) return;
-  last_write_ = now;
-  write_pending();
+bool StateFile::create() {
+  file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  return file_ >= 0 && write(file_, identity_.data(), identity_.size()) ==
+                           static_cast<ssize_t>(identity_.size());
 }
 
-bool StateFile::flush() {
+bool StateFile::add(const Framebuffer& block) {
   const std::lock_guard lock(mutex_);
-  return write_pending();
-}
-
-bool StateFile::write_pending() {
-  if (!good_) return false;
-  if (!file_) {
-    file_ = std::fopen(path_.c_str(), "wb");
-    good_ = file_ && std::fwrite(identity_.data(), 1, identity_.size(), file_) == identity_.size();
-  }
-  for (const PixelWindow& block : pending_) {
-    if (!good_) break;
-    good_ = std::fwrite(&block, sizeof block, 1, file_) == 1;
-    const size_t width = static_cast<size_t>(block.right - block.left);
-    for (int y = block.top; good_ && y < block.bottom; ++y) {
-      good_ = std::fwrite(&picture_.at(block.left, y), sizeof(PixelColor), width, file_) == width;
-    }
-  }
-  pending_.clear();
-  good_ = good_ && std::fflush(file_) == 0;
-  return good_;
+  if (!good_) return true;
+  PixelWindow window = block.window();
+  const iovec parts[2] = {{&window, sizeof window},
+                          {const_cast<PixelColor*>(block.pixels()), block.bytes()}};
+  const off_t before = lseek(file_, 0, SEEK_CUR);
+  const ssize_t whole = static_cast<ssize_t>(sizeof window + block.bytes());
+  errno = ENOSPC;  // what a short write without an error means
+  if (writev(file_, parts, 2) == whole) return true;
+  good_ = false;
+  // Half a block would be taken for none, but the next run should not have to find out.
+  const int reason = errno;
+  if (ftruncate(file_, before) == 0) errno = reason;
+  errno = reason;
+  return false;
 }
 
 void StateFile::remove() {
-  if (file_) std::fclose(file_);
-  file_ = nullptr;
+  close();
   std::remove(path_.c_str());
 }
 

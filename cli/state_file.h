@@ -1,20 +1,16 @@
 // The finished blocks of a render, kept beside the picture so that it can be continued (+C).
 //
 // Layout: a text line with all that the picture depends on here (size, window, antialiasing, scene),
-// then records: left, top, right, bottom as int32, followed by the pixels row by row. Written now
-// and then while rendering, so that a machine that goes down loses little, and read only by the same
-// version of the program on the same kind of machine.
+// then records: left, top, right, bottom as int32, followed by the pixels row by row. Each block is
+// handed to the system as soon as it is finished: whoever kills the program loses the blocks in
+// hand. Read only by the same version of the program on the same kind of machine.
 #pragma once
 
-#include <chrono>
-#include <cstdio>
 #include <mutex>
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "cli/options.h"
 #include "tracer/image/framebuffer.h"
 
 namespace durer {
@@ -22,32 +18,32 @@ namespace durer {
 class StateFile {
  public:
   // `identity`: one line; a file with another one is not continued.
-  StateFile(std::string path, std::string identity, Framebuffer& picture);
+  StateFile(std::string path, const std::string& identity);
   ~StateFile();
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
 
-  // Reads finished blocks into the picture. Returns their number of pixels; 0: nothing to continue.
-  int64_t load();
+  // Whether there is a file of this identity: the picture is not finished.
+  bool exists() const;
+  // Opens it and reads its blocks into the picture. Returns their number of pixels; 0: there is
+  // nothing to continue. Throws std::runtime_error if the picture cannot hold them.
+  int64_t load(Picture& picture);
+  // Makes an empty file. False: errno says why.
+  bool create();
   bool has(const PixelWindow& block) const { return loaded_.count({block.left, block.top}) > 0; }
 
-  // From any thread. Writes to the disk every few seconds.
-  void block_done(const PixelWindow& block);
-  // Writes all that is missing. False: it could not be written.
-  bool flush();
+  // From any thread. False, once: the file cannot be written any more (errno); what it has stays.
+  bool add(const Framebuffer& block);
   // After the picture is written.
   void remove();
 
  private:
-  bool write_pending();
+  void close();
 
   const std::string path_, identity_;
-  Framebuffer& picture_;
-  std::FILE* file_ = nullptr;
+  int file_ = -1;
   bool good_ = true;
   std::set<std::pair<int, int>> loaded_;
-  std::vector<PixelWindow> pending_;
-  std::chrono::steady_clock::time_point last_write_;
   std::mutex mutex_;
 };
 

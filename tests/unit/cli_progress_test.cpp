@@ -34,19 +34,29 @@ TEST(CliProgress, Durations) {
 TEST(CliStateFile, ContinuesWhatWasFinished) {
   const std::string path =
       ::testing::TempDir() + "durer_state_" + std::to_string(getpid()) + ".pov-state";
-  Framebuffer first(8, 8);
-  for (int i = 0; i < 64; ++i) first.at(i % 8, i / 8).color = RGB(static_cast<float>(i));
+  const auto block_of = [](const PixelWindow& window) {
+    Framebuffer block(window);
+    for (int y = window.top; y < window.bottom; ++y) {
+      for (int x = window.left; x < window.right; ++x) {
+        block.at(x, y).color = RGB(static_cast<float>(8 * y + x));
+      }
+    }
+    return block;
+  };
   {
-    StateFile state(path, "test", first);
-    EXPECT_EQ(state.load(), 0);
-    state.block_done({0, 0, 4, 4});
-    state.block_done({4, 4, 8, 8});
-    EXPECT_TRUE(state.flush());
+    Framebuffer first(8, 8);
+    StateFile state(path, "test");
+    EXPECT_FALSE(state.exists());
+    EXPECT_EQ(state.load(first), 0);
+    EXPECT_TRUE(state.create());
+    EXPECT_TRUE(state.add(block_of({0, 0, 4, 4})));
+    EXPECT_TRUE(state.add(block_of({4, 4, 8, 8})));
+    EXPECT_TRUE(state.exists());
   }
   Framebuffer second(8, 8);
   {
-    StateFile state(path, "test", second);
-    EXPECT_EQ(state.load(), 32);
+    StateFile state(path, "test");
+    EXPECT_EQ(state.load(second), 32);
     EXPECT_TRUE(state.has({0, 0, 4, 4}));
     EXPECT_FALSE(state.has({4, 0, 8, 4}));
     EXPECT_EQ(second.at(3, 3).color.red, 27.0f);
@@ -55,17 +65,23 @@ TEST(CliStateFile, ContinuesWhatWasFinished) {
   }
   Framebuffer third(8, 8);
   {
-    // A block whose end is missing is rendered again.
+    // A block whose end is missing is rendered again, and written where it began.
     std::FILE* file = std::fopen(path.c_str(), "r+b");
     ASSERT_EQ(std::fseek(file, -8, SEEK_END), 0);
     ASSERT_EQ(ftruncate(fileno(file), std::ftell(file)), 0);
     std::fclose(file);
-    StateFile state(path, "test", third);
-    EXPECT_EQ(state.load(), 16);
+    StateFile state(path, "test");
+    EXPECT_EQ(state.load(third), 16);
     EXPECT_FALSE(state.has({4, 4, 8, 8}));
+    EXPECT_TRUE(state.add(block_of({4, 4, 8, 8})));
   }
-  StateFile other(path, "another picture", third);
-  EXPECT_EQ(other.load(), 0);
+  {
+    StateFile state(path, "test");
+    EXPECT_EQ(state.load(third), 32);
+  }
+  StateFile other(path, "another picture");
+  EXPECT_FALSE(other.exists());
+  EXPECT_EQ(other.load(third), 0);
   other.remove();
   EXPECT_NE(access(path.c_str(), F_OK), 0);
 }

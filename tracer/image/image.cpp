@@ -95,7 +95,7 @@ Image::Image(RasterFile file, const ImageSource& source, ImageUse use, const Wor
   decode_.resize(static_cast<size_t>(greatest) + 1);
   for (int v = 0; v <= greatest; ++v)
     decode_[static_cast<size_t>(v)] =
-        decoded(static_cast<float>(v) / static_cast<float>(greatest));
+        decoded(static_cast<float>(v) / static_cast<float>(file_.maximum ? file_.maximum : greatest));
   if (file_.type == ImageFileType::png && file_.bits == 8 && file_.channels == 1)
     decode_grey_of_png();
 }

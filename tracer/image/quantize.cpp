@@ -1,22 +1,55 @@
 #include "tracer/image/quantize.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace durer {
 namespace {
 
-constexpr int kMostChannels = 4;
-using Channels = std::array<float, kMostChannels>;
+// A file without premultiplication: colour divided by an alpha that highlights may raise.
+void unpremultiply(RGB& color, float& alpha) {
+  const float brightness = color.grey();
+  if (brightness > alpha) alpha = std::min(1.0f, brightness);
+  const float divisor = alpha == 0 ? 1e-6f : alpha;
+  color = {color.red / divisor, color.green / divisor, color.blue / divisor};
+}
 
-// Offsets in quantisation steps by place (Bayer).
-float bayer_offset(DitherMethod method, int x, int y) {
+// The comparison sends NaN to 0.
+float clip(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f; }
+
+// Finding the least value of each code takes some 25 evaluations of the curve.
+constexpr int kMostTabulated = 1023;
+
+// Values in (0,1] by their exponent and the first bits of their mantissa.
+constexpr uint32_t kIndexShift = 23 - 6;
+constexpr uint32_t kLeastExponent = 127 - 20;  // below 2^-20 all curves give code 0 or nearly so
+constexpr uint32_t kFirstIndex = kLeastExponent << 6;
+constexpr uint32_t kLastIndex = 127u << 6;  // of 1.0
+
+uint32_t table_index(float value) {
+  const uint32_t index = std::bit_cast<uint32_t>(value) >> kIndexShift;
+  return index < kFirstIndex ? 0 : std::min(index, kLastIndex) - kFirstIndex + 1;
+}
+
+}  // namespace
+
+Dithering::Dithering(DitherMethod method, int width)
+    : method_(method),
+      diffuses_(method == DitherMethod::diffusion1 || method == DitherMethod::diffusion2 ||
+                method == DitherMethod::floyd_steinberg) {
+  if (!diffuses_) return;
+  row_.resize(static_cast<size_t>(width) + 2);
+  next_.resize(static_cast<size_t>(width) + 2);
+}
+
+float Dithering::offset(int x, int y) const {
   static constexpr float k2[2][2] = {{1, 3}, {4, 2}};
   static constexpr float k3[3][3] = {{3, 7, 4}, {6, 1, 9}, {2, 8, 5}};
   static constexpr float k4[4][4] = {{1, 9, 3, 11}, {13, 5, 15, 7}, {4, 12, 2, 10}, {16, 8, 14, 6}};
-  switch (method) {
+  switch (method_) {
     case DitherMethod::bayer2:
       return k2[x % 2][y % 2] / 4 - 0.5f;
     case DitherMethod::bayer3:
@@ -28,98 +61,112 @@ float bayer_offset(DitherMethod method, int x, int y) {
   }
 }
 
-// Error diffusion: what earlier pixels lost is added to later ones.
-class ErrorDiffusion {
- public:
-  ErrorDiffusion(DitherMethod method, int width)
-      : method_(method), row_(width + 2), next_(width + 2) {}
-
-  Channels error_at(int x) const {
-    return method_ == DitherMethod::diffusion1 ? carried_ : row_[x + 1];
-  }
-  void spread(int x, const Channels& error) {
-    if (method_ == DitherMethod::diffusion1) {
-      carried_ = error;
-      return;
-    }
-    if (x == 0) {
-      std::swap(row_, next_);
-      std::fill(next_.begin(), next_.end(), Channels{});
-    }
-    for (int c = 0; c < kMostChannels; ++c) {
-      if (method_ == DitherMethod::diffusion2) {
-        row_[x + 2][c] += error[c] / 2;
-        next_[x + 1][c] += error[c] / 4;
-        next_[x + 2][c] += error[c] / 4;
-      } else {
-        row_[x + 2][c] += error[c] * 7 / 16;
-        next_[x][c] += error[c] * 3 / 16;
-        next_[x + 1][c] += error[c] * 5 / 16;
-        next_[x + 2][c] += error[c] / 16;
-      }
-    }
-  }
-
- private:
-  DitherMethod method_;
-  Channels carried_{};
-  std::vector<Channels> row_, next_;
-};
-
-// A file without premultiplication: colour divided by an alpha that highlights may raise.
-void unpremultiply(RGB& color, float& alpha) {
-  const float brightness = color.grey();
-  if (brightness > alpha) alpha = std::min(1.0f, brightness);
-  color *= 1 / (alpha == 0 ? 1e-6f : alpha);
+Channels Dithering::error_at(int x) const {
+  return method_ == DitherMethod::diffusion1 ? carried_ : row_[static_cast<size_t>(x) + 1];
 }
 
-}  // namespace
-
-std::vector<uint16_t> quantize(const Framebuffer& picture, const PixelFormat& format) {
-  const int channels = format.channels();
-  const int colors = format.greyscale ? 1 : 3;
-  const float most = static_cast<float>((1 << format.bits) - 1);
-  const OutputTransfer transfer(format.working, format.file);
-  const bool diffuse = format.dither == DitherMethod::diffusion1 ||
-                       format.dither == DitherMethod::diffusion2 ||
-                       format.dither == DitherMethod::floyd_steinberg;
-  ErrorDiffusion diffusion(format.dither, picture.width());
-
-  std::vector<uint16_t> out;
-  out.reserve(static_cast<size_t>(picture.width()) * picture.height() * channels);
-  for (int y = 0; y < picture.height(); ++y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      const PixelColor& pixel = picture.at(x, y);
-      RGB color = pixel.color;
-      float alpha = 1 - pixel.transmit;
-      if (format.alpha && !format.premultiplied) unpremultiply(color, alpha);
-      Channels linear{color.red, color.green, color.blue, alpha};
-      if (format.greyscale) linear = {color.grey(), alpha, 0, 0};
-
-      const float offset = bayer_offset(format.dither, x, y) / most;
-      Channels error{};
-      if (diffuse) error = diffusion.error_at(x);
-      Channels lost{};
-      for (int c = 0; c < channels; ++c) {
-        const bool is_alpha = c == colors;
-        const float value = linear[c] + error[c];
-        const float encoded = is_alpha ? value : transfer(value);
-        // The comparison sends NaN to 0.
-        float clipped = encoded + offset;
-        clipped = clipped > 0 ? std::min(clipped, 1.0f) : 0.0f;
-        const uint16_t code = static_cast<uint16_t>(std::floor(clipped * most + 0.5f));
-        out.push_back(code);
-        if (diffuse) {
-          const float written = static_cast<float>(code) / most;
-          const float back =
-              is_alpha ? written : OutputTransfer(format.file, format.working)(written);
-          lost[c] = std::clamp(value, 0.0f, 1.0f) - back;
-        }
-      }
-      if (diffuse) diffusion.spread(x, lost);
+void Dithering::spread(int x, const Channels& lost) {
+  if (method_ == DitherMethod::diffusion1) {
+    carried_ = lost;
+    return;
+  }
+  if (x == 0) {
+    std::swap(row_, next_);
+    std::fill(next_.begin(), next_.end(), Channels{});
+  }
+  const size_t i = static_cast<size_t>(x) + 1;
+  for (size_t c = 0; c < kMostChannels; ++c) {
+    if (method_ == DitherMethod::diffusion2) {
+      row_[i + 1][c] += lost[c] / 2;
+      next_[i][c] += lost[c] / 4;
+      next_[i + 1][c] += lost[c] / 4;
+    } else {
+      row_[i + 1][c] += lost[c] * 7 / 16;
+      next_[i - 1][c] += lost[c] * 3 / 16;
+      next_[i][c] += lost[c] * 5 / 16;
+      next_[i + 1][c] += lost[c] / 16;
     }
   }
-  return out;
+}
+
+CodeTable::CodeTable(const OutputTransfer& transfer, int most)
+    : transfer_(transfer), most_(static_cast<float>(most)) {
+  if (most > kMostTabulated) return;
+  // Positive floats are ordered like their bits, and every curve rises: bisection.
+  least_.push_back(-std::numeric_limits<float>::infinity());
+  uint32_t low = 0;
+  const uint32_t one = std::bit_cast<uint32_t>(1.0f);
+  for (int code = 1; code <= most; ++code) {
+    uint32_t high = one;
+    while (low < high) {
+      const uint32_t middle = low + (high - low) / 2;
+      if (code_by_curve(std::bit_cast<float>(middle)) >= code) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    least_.push_back(std::bit_cast<float>(low));
+  }
+  for (uint32_t i = kFirstIndex; i <= kLastIndex + 1; ++i) {
+    const float start = i == kFirstIndex ? 0 : std::bit_cast<float>((i - 1) << kIndexShift);
+    const auto above = std::upper_bound(least_.begin(), least_.end(), start);
+    first_.push_back(static_cast<uint16_t>(above - least_.begin() - 1));
+  }
+}
+
+uint16_t CodeTable::code_by_curve(float value) const {
+  return static_cast<uint16_t>(std::floor(clip(transfer_(value)) * most_ + 0.5f));
+}
+
+uint16_t CodeTable::operator()(float value) const {
+  if (least_.empty()) return code_by_curve(value);
+  if (!(value > 0)) return 0;
+  size_t code = first_[table_index(value)];
+  while (code + 1 < least_.size() && value >= least_[code + 1]) ++code;
+  return static_cast<uint16_t>(code);
+}
+
+Quantizer::Quantizer(const PixelFormat& format, int width)
+    : format_(format),
+      width_(width),
+      most_(static_cast<float>((1 << format.bits) - 1)),
+      encode_(format.working, format.file),
+      decode_(format.file, format.working),
+      codes_(encode_, (1 << format.bits) - 1),
+      dithering_(format.dither, width) {}
+
+void Quantizer::quantize_row(int y, const PixelColor* pixels, uint16_t* out) {
+  const size_t channels = static_cast<size_t>(format_.channels());
+  const size_t colors = format_.greyscale ? 1 : 3;
+  for (int x = 0; x < width_; ++x) {
+    RGB color = pixels[x].color;
+    float alpha = 1 - pixels[x].transmit;
+    if (format_.alpha && !format_.premultiplied) unpremultiply(color, alpha);
+    Channels linear{color.red, color.green, color.blue, alpha};
+    if (format_.greyscale) linear = {color.grey(), alpha, 0, 0};
+
+    if (format_.dither == DitherMethod::none) {
+      for (size_t c = 0; c < colors; ++c) *out++ = codes_(linear[c]);
+      if (format_.alpha) {
+        *out++ = static_cast<uint16_t>(std::floor(clip(linear[colors]) * most_ + 0.5f));
+      }
+      continue;
+    }
+    const float offset = dithering_.offset(x, y) / most_;
+    const Channels error = dithering_.diffuses() ? dithering_.error_at(x) : Channels{};
+    Channels lost{};
+    for (size_t c = 0; c < channels; ++c) {
+      const bool is_alpha = c == colors;
+      const float value = linear[c] + error[c];
+      const float encoded = is_alpha ? value : encode_(value);
+      const float code = std::floor(clip(encoded + offset) * most_ + 0.5f);
+      *out++ = static_cast<uint16_t>(code);
+      const float written = code / most_;
+      lost[c] = clip(value) - (is_alpha ? written : decode_(written));
+    }
+    if (dithering_.diffuses()) dithering_.spread(x, lost);
+  }
 }
 
 }  // namespace durer

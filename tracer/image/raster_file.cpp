@@ -40,6 +40,8 @@ RasterFile read_raster(const ImageSource& source) {
       source.type == ImageFileType::by_name ? image_type_of(source.path) : source.type;
   switch (type) {
     case ImageFileType::png: file = read_png(source.path); break;
+    case ImageFileType::ppm:
+    case ImageFileType::pgm: file = read_pnm(source.path); break;
     case ImageFileType::gif: file = read_gif(source.path); break;
     case ImageFileType::pot: file = read_pot(source.path); break;
     default: file = read_with_openimageio(source.path); break;

@@ -21,6 +21,7 @@ struct RasterFile {
   int width = 0, height = 0;
   int channels = 1;  // grey, grey + alpha, RGB, RGBA; row 0 on top
   int bits = 8;      // 8: bytes, 16: words, 32: floats is filled
+  int maximum = 0;   // the value of full light; 0: the greatest that the bits can hold
   std::vector<uint8_t> bytes;
   std::vector<uint16_t> words;
   std::vector<float> floats;
@@ -40,6 +41,7 @@ RasterFile read_raster(const ImageSource& source);
 ImageFileType image_type_of(const std::string& path);
 
 RasterFile read_png(const std::string& path);
+RasterFile read_pnm(const std::string& path);
 RasterFile read_gif(const std::string& path);
 // A word-valued picture in the two halves of a gif's lines (spec/geometry.md 12.14).
 RasterFile read_pot(const std::string& path);

@@ -16,16 +16,12 @@ namespace {
 // Blocks are anchored at pixel (0,0) of the whole picture, in rows (design.md rule 4d).
 std::vector<PixelWindow> blocks_of(const RenderOptions& options) {
   std::vector<PixelWindow> blocks;
-  const PixelWindow& window = options.window;
   const int size = std::min(options.block_size, std::max(options.width, options.height));
   for (int top = 0; top < options.height; top += size) {
     for (int left = 0; left < options.width; left += size) {
       const PixelWindow block{left, top, std::min(left + size, options.width),
                               std::min(top + size, options.height)};
-      if (block.right > window.left && block.left < window.right && block.bottom > window.top &&
-          block.top < window.bottom) {
-        blocks.push_back(block);
-      }
+      if (!intersection(block, options.window).is_empty()) blocks.push_back(block);
     }
   }
   return blocks;
@@ -44,15 +40,18 @@ void add(RenderStatistics& sum, const RenderStatistics& part) {
 
 RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                         const Integrator& integrator, const RenderOptions& options,
-                        Framebuffer& framebuffer, RenderObserver& observer,
+                        Picture& picture, RenderObserver& observer,
                         const std::atomic<bool>& stop) {
   const PixelSampler sampler(scene, camera, integrator);
   const SampleContrast contrast(scene.scene, options);
   std::vector<PixelWindow> blocks = blocks_of(options);
-  std::erase_if(blocks, [&](const PixelWindow& block) { return !observer.block_wanted(block); });
+  std::erase_if(blocks, [&](const PixelWindow& block) {
+    return !observer.block_wanted(intersection(block, options.window));
+  });
 
   auto render_block = [&](const PixelWindow& block, RenderStatistics& statistics) {
     if (stop.load(std::memory_order_relaxed)) return;
+    Framebuffer framebuffer(intersection(block, options.window));
     switch (options.supersampling) {
       case Supersampling::none:
         render_block_without_antialiasing(sampler, block, options.window, framebuffer,
@@ -72,7 +71,8 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                           options.window, framebuffer, statistics);
         break;
     }
-    observer.block_done(block);
+    picture.store(framebuffer);
+    observer.block_done(framebuffer);
   };
 
   RenderStatistics total;

@@ -16,10 +16,11 @@ namespace durer {
 class RenderObserver {
  public:
   virtual ~RenderObserver() = default;
-  // False: the block is in the framebuffer already (a continued render). Asked before the first
-  // block is rendered, from one thread.
+  // False: the block is in the picture already (a continued render). Asked before the first block
+  // is rendered, from one thread. Blocks are cut at the window's borders.
   virtual bool block_wanted(const PixelWindow&) { return true; }
-  virtual void block_done(const PixelWindow& block) = 0;
+  // After the block was stored.
+  virtual void block_done(const Framebuffer& block) = 0;
 };
 
 struct RenderStatistics {
@@ -27,11 +28,11 @@ struct RenderStatistics {
   uint64_t samples = 0;
 };
 
-// Renders the window into the framebuffer. `stop` is looked at before every block; blocks that were
+// Renders the window into the picture. `stop` is looked at before every block; blocks that were
 // begun are finished. Same bits for any number of threads and any window.
 RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                         const Integrator& integrator, const RenderOptions& options,
-                        Framebuffer& framebuffer, RenderObserver& observer,
+                        Picture& picture, RenderObserver& observer,
                         const std::atomic<bool>& stop);
 
 }  // namespace durer

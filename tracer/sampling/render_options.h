@@ -1,17 +1,14 @@
 // What rendering needs to know besides the scene; defaults are POV-Ray's (spec/language.md 31).
 #pragma once
 
+#include "tracer/image/framebuffer.h"
+
 namespace durer {
 
 enum class IntegratorKind { whitted, raycast };
 // none/adaptive_neighbours (+AM1)/adaptive_corners (+AM2) are POV-Ray's; grid and jitter are for
 // teaching.
 enum class Supersampling { none, method1, method2, grid, jitter };
-
-// Pixels [left, right) x [top, bottom).
-struct PixelWindow {
-  int left = 0, top = 0, right = 0, bottom = 0;
-};
 
 struct RenderOptions {
   int width = 160;

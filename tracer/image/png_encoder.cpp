@@ -1,0 +1,110 @@
+#include <png.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+
+#include "tracer/image/picture_writer.h"
+
+namespace durer {
+namespace {
+
+// Values of fewer than 8 (or 16) bits fill the stored ones with their high bits.
+uint16_t widen(uint32_t value, int bits, int stored) {
+  uint32_t result = value << (stored - bits);
+  for (int filled = bits; filled < stored; filled += bits) result |= result >> filled;
+  return static_cast<uint16_t>(result & ((1u << stored) - 1));
+}
+
+// What survives a longjmp is reached through this.
+struct Message {
+  std::string text;
+};
+
+[[noreturn]] void keep_message(png_structp png, png_const_charp text) {
+  const int reason = errno;
+  static_cast<Message*>(png_get_error_ptr(png))->text = reason ? std::strerror(reason) : text;
+  longjmp(png_jmpbuf(png), 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+int color_type_of(const PixelFormat& format) {
+  if (format.greyscale) return format.alpha ? PNG_COLOR_TYPE_GRAY_ALPHA : PNG_COLOR_TYPE_GRAY;
+  return format.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+}
+
+// The picture's rows as PNG stores them: big-endian, interleaved.
+class PngRows {
+ public:
+  PngRows(const Picture& picture, const PixelFormat& format)
+      : picture_(picture),
+        bits_(format.bits),
+        stored_(format.bits > 8 ? 16 : 8),
+        quantizer_(format, picture.width()),
+        pixels_(static_cast<size_t>(picture.width())),
+        codes_(pixels_.size() * static_cast<size_t>(format.channels())),
+        row_(codes_.size() * static_cast<size_t>(stored_ / 8)) {}
+
+  int stored_bits() const { return stored_; }
+  png_bytep row(int y) {
+    picture_.read(y, 0, picture_.width(), pixels_.data());
+    quantizer_.quantize_row(y, pixels_.data(), codes_.data());
+    png_bytep out = row_.data();
+    for (const uint16_t code : codes_) {
+      const uint16_t value = widen(code, bits_, stored_);
+      if (stored_ == 16) *out++ = static_cast<png_byte>(value >> 8);
+      *out++ = static_cast<png_byte>(value & 255);
+    }
+    return row_.data();
+  }
+
+ private:
+  const Picture& picture_;
+  const int bits_, stored_;
+  Quantizer quantizer_;
+  std::vector<PixelColor> pixels_;
+  std::vector<uint16_t> codes_;
+  std::vector<png_byte> row_;
+};
+
+}  // namespace
+
+void encode_png(std::FILE* file, const Picture& picture, const PictureOutput& output) {
+  const PixelFormat& format = output.format;
+  PngRows rows(picture, format);
+  Message message;
+  errno = 0;
+  png_structp png =
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  if (!info || setjmp(png_jmpbuf(png))) {
+    png_destroy_write_struct(&png, &info);
+    throw std::runtime_error(message.text);
+  }
+  png_init_io(png, file);
+  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width()),
+               static_cast<png_uint_32>(picture.height()), rows.stored_bits(), color_type_of(format),
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (format.file.kind == TransferCurve::Kind::srgb) {
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  } else {
+    png_set_gAMA(png, info, 1.0 / static_cast<double>(format.file.gamma));
+  }
+  const png_byte bits = static_cast<png_byte>(format.bits);
+  if (bits < rows.stored_bits()) {
+    const png_color_8 significant{bits, bits, bits, bits, bits};
+    png_set_sBIT(png, info, &significant);
+  }
+  // Pictures are small beside the work of tracing them: little effort unless more is asked for.
+  const bool level_given = output.compression >= 1 && output.compression <= 9;
+  png_set_compression_level(png, level_given ? output.compression : 3);
+  png_write_info(png, info);
+  for (int y = 0; y < picture.height(); ++y) png_write_row(png, rows.row(y));
+  png_write_end(png, nullptr);
+  png_destroy_write_struct(&png, &info);
+}
+
+}  // namespace durer

@@ -1,0 +1,109 @@
+#include <cctype>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "tracer/image/raster_file.h"
+
+namespace durer {
+namespace {
+
+// The bytes of a netpbm file; numbers are separated by white space and comments.
+class PnmText {
+ public:
+  explicit PnmText(const std::string& path)
+      : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+    if (!file_) throw std::runtime_error("the image '" + path + "' cannot be opened");
+  }
+
+  int byte() {
+    const int c = std::getc(file_.get());
+    if (c == EOF) throw std::runtime_error("the image '" + path_ + "' is shorter than it says");
+    return c;
+  }
+  int number(int most) {
+    int c = byte();
+    for (; std::isspace(c) || c == '#'; c = byte()) {
+      if (c == '#') while (c != '\n' && c != '\r') c = byte();
+    }
+    int value = 0;
+    for (; std::isdigit(c) && value <= most; c = last_ ? std::getc(file_.get()) : byte()) {
+      value = 10 * value + (c - '0');
+    }
+    if (value > most || !(std::isspace(c) || c == EOF || c == '#')) wrong();
+    return value;
+  }
+  // The digits of a bitmap need no space between them.
+  int bit() {
+    int c = byte();
+    while (std::isspace(c)) c = byte();
+    return c == '1';
+  }
+  void read(uint8_t* to, size_t count) {
+    if (std::fread(to, 1, count, file_.get()) != count) byte();
+  }
+  // From here on the file may end after a number.
+  void in_pixels() { last_ = true; }
+  [[noreturn]] void wrong() const {
+    throw std::runtime_error("the image '" + path_ + "' is no readable PPM or PGM");
+  }
+
+ private:
+  const std::string path_;
+  std::unique_ptr<std::FILE, decltype(&std::fclose)> file_;
+  bool last_ = false;
+};
+
+}  // namespace
+
+RasterFile read_pnm(const std::string& path) {
+  PnmText text(path);
+  if (text.byte() != 'P') text.wrong();
+  const int kind = text.byte() - '0';
+  if (kind < 1 || kind > 6) text.wrong();
+  RasterFile file;
+  file.width = text.number(1 << 24);
+  file.height = text.number(1 << 24);
+  const bool is_bitmap = kind == 1 || kind == 4, is_plain = kind <= 3;
+  const int maximum = is_bitmap ? 1 : text.number(65535);
+  if (file.width < 1 || file.height < 1 || maximum < 1) text.wrong();
+  file.maximum = maximum;
+  file.channels = kind == 3 || kind == 6 ? 3 : 1;
+  file.bits = maximum > 255 ? 16 : 8;
+  const size_t row = static_cast<size_t>(file.width) * static_cast<size_t>(file.channels);
+  const size_t count = row * static_cast<size_t>(file.height);
+  text.in_pixels();
+  if (kind == 4) {
+    std::vector<uint8_t> packed((row + 7) / 8);
+    file.bytes.reserve(count);
+    for (int y = 0; y < file.height; ++y) {
+      text.read(packed.data(), packed.size());
+      for (size_t x = 0; x < row; ++x) {
+        file.bytes.push_back(packed[x / 8] >> (7 - x % 8) & 1 ? 0 : 1);
+      }
+    }
+  } else if (file.bits == 8) {
+    file.bytes.resize(count);
+    if (is_plain) {
+      for (uint8_t& value : file.bytes) {
+        value = static_cast<uint8_t>(is_bitmap ? 1 - text.bit() : text.number(maximum));
+      }
+    } else {
+      text.read(file.bytes.data(), count);
+    }
+  } else {
+    file.words.resize(count);
+    if (is_plain) {
+      for (uint16_t& value : file.words) value = static_cast<uint16_t>(text.number(maximum));
+    } else {
+      std::vector<uint8_t> bytes(2 * count);
+      text.read(bytes.data(), bytes.size());
+      for (size_t i = 0; i < count; ++i) {
+        file.words[i] = static_cast<uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]);
+      }
+    }
+  }
+  return file;
+}
+
+}  // namespace durer
