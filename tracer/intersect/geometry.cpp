@@ -177,7 +177,10 @@ void Geometry::shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stac
   const GeometryNode& node = nodes[index];
   const size_t base = stack.size();
   stack.owner = index;
-  node.shape->hits(local_ray(*this, node, ray), stack);
+  ShapeRay local = local_ray(*this, node, ray);
+  // The first hit may be clipped away.
+  if (node.clips.count) local.csg_child = true;
+  node.shape->hits(local, stack);
   if (node.clips.count == 0) return;
   size_t kept = base;
   for (size_t i = base; i < stack.size(); ++i) {

@@ -42,12 +42,27 @@ FloatBox FloatBox::transformed(const Transform& transform) const {
 
 bool FloatBox::contains(const Vec3& p) const {
   for (int i = 0; i < 3; ++i) {
-    if (p[i] < static_cast<double>(lower[i]) ||
-        p[i] > static_cast<double>(lower[i] + length[i])) {
+    if (p[i] < static_cast<double>(lower[i]) || p[i] > static_cast<double>(lower[i] + length[i])) {
       return false;
     }
   }
   return true;
+}
+
+bool FloatBox::is_met(const Vec3& origin, const Vec3& direction) const {
+  float enter = 0, leave = 2e10f;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float o = static_cast<float>(origin[axis]);
+    const float inverse = 1 / static_cast<float>(direction[axis]);
+    const float low = lower[axis], high = low + length[axis];
+    const float near = ((inverse < 0 ? high : low) - o) * inverse;
+    const float far = ((inverse < 0 ? low : high) - o) * inverse;
+    // Written so that NaN is a miss.
+    if (!(near <= leave && far >= enter)) return false;
+    enter = near > enter ? near : enter;
+    leave = far < leave ? far : leave;
+  }
+  return leave > 1e-4f;
 }
 
 }  // namespace durer

@@ -18,6 +18,9 @@ struct FloatBox {
   // Box of the eight transformed corners, cut off at ±1e10.
   FloatBox transformed(const Transform& transform) const;
   bool contains(const Vec3& p) const;
+  // Whether a ray meets the box, with POV-Ray's single-precision slab distances (2.2): a ray that
+  // runs in the plane of a face does not.
+  bool is_met(const Vec3& origin, const Vec3& direction) const;
 };
 
 }  // namespace durer

@@ -33,21 +33,7 @@ bool ObjectQuery::trace(const Vec3& origin, const Vec3& unit_direction, Vec3& po
   thread_local HitStack stack;
   const Geometry& geometry = impl_->data.geometry;
   const GeometryRay ray{origin, unit_direction, kImageRay | kPrimaryRay};
-  // Box test, with slab distances in single precision (geometry.md 2.2).
-  if (!impl_->is_exempt) {
-    float enter = 0, leave = 2e10f;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float o = static_cast<float>(origin[axis]);
-      const float inverse = 1 / static_cast<float>(unit_direction[axis]);
-      const float low = impl_->box.lower[axis], high = low + impl_->box.length[axis];
-      const float near = ((inverse < 0 ? high : low) - o) * inverse;
-      const float far = ((inverse < 0 ? low : high) - o) * inverse;
-      if (!(near <= leave && far >= enter)) return false;
-      enter = near > enter ? near : enter;
-      leave = far < leave ? far : leave;
-    }
-    if (!(leave > 1e-4f)) return false;
-  }
+  if (!impl_->is_exempt && !impl_->box.is_met(origin, unit_direction)) return false;
   if (!geometry.passes_bounds(geometry.nodes[impl_->node], ray, stack)) return false;
   ShapeHit hit;
   if (!geometry.closest(impl_->node, ray, kHugeDepth, stack, hit)) return false;
@@ -67,7 +53,11 @@ bool ObjectQuery::trace(const Vec3& origin, const Vec3& unit_direction, Vec3& po
 bool ObjectQuery::inside(const Vec3& point) const {
   return impl_->data.geometry.inside(impl_->node, point);
 }
-bool ObjectQuery::has_inside() const { return impl_->has_inside; }
-Bounds ObjectQuery::extents() const { return impl_->box.to_bounds(); }
+bool ObjectQuery::has_inside() const {
+  return impl_->has_inside;
+}
+Bounds ObjectQuery::extents() const {
+  return impl_->box.to_bounds();
+}
 
 }  // namespace durer

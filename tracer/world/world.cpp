@@ -98,6 +98,7 @@ struct ClosestSearch {
       if (inner.top < 0) return;
       candidate = inner.hit;
     } else {
+      if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return;
       const GeometryNode& node = data.geometry.nodes[object.node];
       if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return;
       if (!data.geometry.closest(object.node, ray, limit, stack, candidate)) return;
@@ -148,6 +149,7 @@ struct OcclusionSearch {
       return OcclusionSearch{data, data.groups[copy.group]->set, local_ray(copy, ray), stack, max_t}
           .run();
     }
+    if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return false;
     const GeometryNode& node = data.geometry.nodes[object.node];
     if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
     ShapeHit hit;

@@ -20,9 +20,12 @@ bool is_union(const ResolvedObject& object) {
 
 NodeKind node_kind(const ResolvedObject& object) {
   switch (object.csg) {
-    case CsgKind::union_: return NodeKind::union_;
-    case CsgKind::merge: return NodeKind::merge;
-    default: return NodeKind::intersection;
+    case CsgKind::union_:
+      return NodeKind::union_;
+    case CsgKind::merge:
+      return NodeKind::merge;
+    default:
+      return NodeKind::intersection;
   }
 }
 
@@ -62,6 +65,13 @@ void inherit_from(ResolvedObject& object, const ResolvedObject& parent) {
   share(object.photons.reflection, parent.photons.reflection);
   share(object.photons.pass_through, parent.photons.pass_through);
   share(object.photons.collect, parent.photons.collect);
+}
+
+// Up to the rounding of boxes.
+bool encloses(const Bounds& box, const Bounds& surface) {
+  const Vec3 margin = 1e-6 * (glm::abs(box.min) + glm::abs(box.max)) + Vec3(1e-9);
+  return glm::all(glm::lessThanEqual(box.min - margin, surface.min)) &&
+         glm::all(glm::greaterThanEqual(box.max + margin, surface.max));
 }
 
 }  // namespace
@@ -156,8 +166,8 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
     if (!object.interior) object.shared_interior = inherited.shared_interior;
   }
   // Unneeded bounds go (their box stays).
-  const bool keeps_bounds = object.kind == ResolvedObject::Kind::csg ||
-                            (object.is_quadric && !object.box_from_quadric);
+  const bool keeps_bounds =
+      object.kind == ResolvedObject::Kind::csg || (object.is_quadric && !object.box_from_quadric);
   if (options_.remove_bounds && !keeps_bounds) {
     object.bounds.clear();
   }
@@ -169,16 +179,14 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
   const bool has_bounds =
       !object.bounds.empty() || (object.bounds_are_clips && !object.clips.empty());
   const auto is_finite = [](const ResolvedObject& child) { return !child.box.is_infinite(); };
-  const bool splits =
-      is_union(object) && object.clips.empty() && object.split_union &&
-      (!has_bounds || object.is_light_group ||
-       (options_.split_unions && std::all_of(object.children.begin(), object.children.end(),
-                                             is_finite)));
+  const bool splits = is_union(object) && object.clips.empty() && object.split_union &&
+                      (!has_bounds || object.is_light_group ||
+                       (options_.split_unions &&
+                        std::all_of(object.children.begin(), object.children.end(), is_finite)));
   if (!splits) {
     const FloatBox box = object.box;
     const uint8_t hidden = hidden_bits(object);
-    const bool visible =
-        object.kind != ResolvedObject::Kind::light || !object.children.empty();
+    const bool visible = object.kind != ResolvedObject::Kind::light || !object.children.empty();
     const FloatBox seen =
         object.kind == ResolvedObject::Kind::light && visible ? object.children[0].box : box;
     const uint32_t node = emit(object, nullptr, -1, light_group, -1);
@@ -239,8 +247,7 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
   data_.interiors[interior].hollow = object.hollow;
 }
 
-uint32_t WorldBuilder::object_number(const WorldObject& object,
-                                     const ResolvedObject& source) {
+uint32_t WorldBuilder::object_number(const WorldObject& object, const ResolvedObject& source) {
   // Members of one CSG follow each other and mostly agree.
   const auto same = [&](const WorldObject& o) {
     return o.texture == object.texture && o.interior_texture == object.interior_texture &&
@@ -296,7 +303,9 @@ NodeRange WorldBuilder::emit_list(const std::vector<ResolvedObject>& list) {
   return range;
 }
 
-uint32_t WorldBuilder::add_bare(const ResolvedObject& object) { return emit_bare(object, false); }
+uint32_t WorldBuilder::add_bare(const ResolvedObject& object) {
+  return emit_bare(object, false);
+}
 
 // Geometry only, for clips, bounds and questions.
 uint32_t WorldBuilder::emit_bare(const ResolvedObject& object, bool csg_child) {
@@ -423,10 +432,10 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
 
 void WorldBuilder::resolve_projected(ObjectResolver& resolver) {
   for (const WorldLight& light : data_.lights) {
-    data_.projected.push_back(
-        light.node->projected_through
-            ? static_cast<int64_t>(emit_bare(resolver.resolve(light.node->projected_through), false))
-            : -1);
+    data_.projected.push_back(light.node->projected_through
+                                  ? static_cast<int64_t>(emit_bare(
+                                        resolver.resolve(light.node->projected_through), false))
+                                  : -1);
   }
 }
 
@@ -438,14 +447,16 @@ void WorldBuilder::finish() {
 void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
   std::vector<Bounds> boxes;
   for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    const TopLevelObject& top = set.objects[i];
+    TopLevelObject& top = set.objects[i];
     Bounds box = top.box.to_bounds();
     bool is_infinite = top.box.is_infinite();
-    if (top.instance < 0 && !uses_bounding) {
+    if (top.instance < 0) {
       const GeometryNode& node = data_.geometry.nodes[top.node];
-      if (node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test()) {
+      if (!uses_bounding && node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test()) {
         box = node.surface;
         is_infinite = !node.surface_is_bounded;
+      } else if (!is_infinite) {
+        top.is_cut_off = !node.surface_is_bounded || !encloses(box, node.surface);
       }
     }
     if (is_infinite || !box.is_bounded()) {

@@ -16,8 +16,9 @@ namespace durer {
 struct TopLevelObject {
   uint32_t node = 0;
   FloatBox box;
-  uint8_t hidden = 0;     // RayKind bits
-  int32_t instance = -1;  // in WorldData::instances; then `node` means nothing
+  uint8_t hidden = 0;       // RayKind bits
+  int32_t instance = -1;    // in WorldData::instances; then `node` means nothing
+  bool is_cut_off = false;  // what lies outside of the box is not seen (geometry.md 2.2)
 };
 
 // What a ray looks through at one level: the scene, or a shared object.
@@ -25,14 +26,14 @@ struct ObjectSet {
   std::vector<TopLevelObject> objects;
   std::vector<uint32_t> infinite;  // positions in `objects`, by declaration
   std::vector<uint32_t> finite;
-  Bvh bvh;                         // over `finite`
-  std::vector<uint8_t> opaque;     // by position, once textures are known
+  Bvh bvh;                      // over `finite`
+  std::vector<uint8_t> opaque;  // by position, once textures are known
 };
 
 // A declared object that many copies share, in its own space.
 struct SharedGroup {
   ObjectSet set;
-  uint32_t first_object = 0, object_count = 0;  // its WorldObjects
+  uint32_t first_object = 0, object_count = 0;            // its WorldObjects
   std::vector<MovedTexture> textures, interior_textures;  // of these, before the copy's move
 };
 struct Instance {
@@ -43,8 +44,8 @@ struct Instance {
 
 // What a node looks like beyond WorldObject.
 struct NodeAppearance {
-  int32_t own_textures = -1;    // in World arrays: index of the first of a shape's own textures
-  int32_t cutaway_root = -1;    // node whose members lend their textures
+  int32_t own_textures = -1;  // in World arrays: index of the first of a shape's own textures
+  int32_t cutaway_root = -1;  // node whose members lend their textures
   bool needs_uv = false;
 };
 
