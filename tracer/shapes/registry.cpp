@@ -27,6 +27,7 @@ PlacedShape compile(const LatheNode& node, const ShapeContext& context);
 PlacedShape compile(const SorNode& node, const ShapeContext& context);
 PlacedShape compile(const PrismNode& node, const ShapeContext& context);
 PlacedShape compile(const HeightFieldNode& node, const ShapeContext& context);
+PlacedShape compile(const SphereSweepNode& node, const ShapeContext& context);
 
 namespace {
 
