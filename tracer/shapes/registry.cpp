@@ -28,6 +28,7 @@ PlacedShape compile(const SorNode& node, const ShapeContext& context);
 PlacedShape compile(const PrismNode& node, const ShapeContext& context);
 PlacedShape compile(const HeightFieldNode& node, const ShapeContext& context);
 PlacedShape compile(const SphereSweepNode& node, const ShapeContext& context);
+PlacedShape compile(const JuliaFractalNode& node, const ShapeContext& context);
 
 namespace {
 

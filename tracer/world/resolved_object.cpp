@@ -302,6 +302,10 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
                      std::holds_alternative<AddClips>(modifier);
   }
   if (was_difference && !object->base) result.written_as_difference = true;
+  // `inverse` within a julia_fractal's own statement has no effect.
+  if (object->shape && result.shape && std::holds_alternative<JuliaFractalNode>(*object->shape)) {
+    result.shape = result.shape->transformed(Transform());
+  }
   if (changes_boxes) {
     if (result.is_plane && result.shape && !result.clips.empty()) {
       result.box = result.clips.front().box;

@@ -1,0 +1,215 @@
+// julia_fractal { <c> [quaternion|hypercomplex] [function] [max_iteration n] [precision p] [slice
+// <s>, d] }
+//                                                                    (spec/geometry.md 12.15)
+//
+// The points of a three-dimensional slice of the fourfold space whose orbits z -> f(z) + c stay
+// near the origin. A ray goes in steps of an estimated distance, at least 1 / precision, until it
+// finds itself on the other side, and then halves its way back.
+#include <algorithm>
+
+#include "tracer/shapes/julia_maps.h"
+#include "tracer/shapes/shape.h"
+
+namespace durer {
+namespace {
+
+constexpr double kLeastStep = 1e-7;  // of the search for the border
+constexpr double kLeastDistance = 1e-8;
+constexpr double kLongestStride = 30;  // in units of the precision
+
+template <typename Map>
+class JuliaFractal final : public Shape {
+ public:
+  JuliaFractal(const JuliaFractalNode& node, const Map& map)
+      : map_(map),
+        slice_(node.slice / std::sqrt(glm::dot(node.slice, node.slice))),
+        slice_distance_(node.slice_distance),
+        iterations_(node.max_iteration),
+        precision_(1 / node.precision) {
+    const double size = std::sqrt(glm::dot(node.parameter, node.parameter));
+    radius_ = Map::kQuaternion ? std::min(2.0, 1 + size + 1e-7) : 4;
+    escape2_ = Map::kQuaternion ? radius_ * radius_ + 1e-7 : 16;
+  }
+
+  Bounds bounds() const override { return placed_.bounds({Vec3(-radius_), Vec3(radius_)}); }
+  bool is_solid_within_bounds() const override { return !inverted_; }
+
+  void hits(const ShapeRay& ray, HitStack& out) const override {
+    Vec3 direction = placed_.inverse_direction(ray.direction);
+    const double scale = 1 / length(direction);
+    direction *= scale;
+    const Ray local{placed_.inverse_point(ray.origin), direction};
+    double t, end;
+    if (!cross_sphere(local, t, end)) return;
+    t = std::max(t, kLeastStep);
+    double distance;
+    bool was_inside = march(local, t, distance);
+    if (was_inside) {
+      t += 2 * kLeastStep;
+      was_inside = march(local, t, distance);
+    }
+    for (;;) {
+      const double step = std::max(distance, precision_);
+      t += step;
+      if (!(t < end)) return;
+      const bool is_inside = march(local, t, distance);
+      if (is_inside == was_inside) continue;
+      out.push(border(local, t, step, was_inside) * scale);
+      if (!ray.csg_child) return;
+      was_inside = is_inside;
+    }
+  }
+
+  bool inside(const Vec3& world_point) const override {
+    return is_in_set(placed_.inverse_point(world_point)) != inverted_;
+  }
+
+  Vec3 normal(const Vec3& world_point, const ShapeHit&) const override {
+    Vec4 z = start(placed_.inverse_point(world_point), Map::kMixesUpStart);
+    if constexpr (Map::kQuaternion) {
+      Vec4 v[3] = {Vec4(1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0)};
+      for (int k = 0; k < iterations_; ++k) {
+        for (Vec4& tangent : v) tangent = Map::carry(z, tangent);
+        z = map_(z);
+      }
+      return placed_.normal({glm::dot(v[0], z), glm::dot(v[1], z), glm::dot(v[2], z)});
+    } else {
+      // Of an orbit that leaves, the part before it does.
+      Vec4 q(1, 0, 0, 0);
+      for (int k = 0; k < iterations_ && glm::dot(z, z) <= escape2_; ++k) {
+        q = k == 0 ? map_.factor(z, 0) : hypercomplex_product(q, map_.factor(z, k));
+        z = map_(z);
+      }
+      return placed_.normal(gradient(q, z));
+    }
+  }
+
+  // Takes all transforms: each of them undoes `inverse`, as in POV-Ray.
+  std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
+    auto moved = std::make_shared<JuliaFractal>(*this);
+    moved->placed_ = placed_.then(transform);
+    moved->inverted_ = false;
+    return moved;
+  }
+  std::shared_ptr<const Shape> inverted() const override {
+    auto turned = std::make_shared<JuliaFractal>(*this);
+    turned->inverted_ = !inverted_;
+    return turned;
+  }
+  bool takes_inverse_mark() const override { return false; }
+
+ private:
+  bool cross_sphere(const Ray& ray, double& enter, double& leave) const {
+    const double squared = dot(ray.origin, ray.origin), along = -dot(ray.origin, ray.direction);
+    if (squared >= radius_ * radius_ && along < kGeometryEpsilon) return false;
+    const double half2 = radius_ * radius_ - squared + along * along;
+    if (!(half2 > kGeometryEpsilon)) return false;
+    const double half = std::sqrt(half2);
+    enter = along - half;
+    leave = along + half;
+    return true;
+  }
+
+  // The point in fourfold space.
+  Vec4 start(const Vec3& p, bool mixed_up) const {
+    const double z = mixed_up ? p.y : p.z;
+    return {p.x, p.y, z,
+            (slice_distance_ - slice_.x * p.x - slice_.y * p.y - slice_.z * z) / slice_.w};
+  }
+
+  bool is_in_set(const Vec3& p) const {
+    Vec4 z = start(p, Map::kMixesUpStart);
+    for (int i = 0; i < iterations_; ++i) {
+      if (glm::dot(z, z) > escape2_) return false;
+      z = map_(z);
+    }
+    return true;
+  }
+
+  static Vec3 gradient(const Vec4& q, const Vec4& z) {
+    return {q.x * z.x + q.y * z.y + q.z * z.z + q.w * z.w,
+            -q.y * z.x + q.x * z.y - q.w * z.z + q.z * z.w,
+            -q.z * z.x - q.w * z.y + q.x * z.z + q.y * z.w};
+  }
+
+  // Whether the point at t is in the set, and how far the set is.
+  bool march(const Ray& ray, double t, double& distance) const {
+    distance = precision_;
+    Vec4 z = start(ray.at(t), false);
+    if constexpr (Map::kQuaternion) {
+      double product2 = 1, shrink = 1;
+      for (int i = 0; i < iterations_; ++i) {
+        const double size2 = glm::dot(z, z);
+        product2 *= size2;
+        shrink /= Map::kDegree;
+        if (size2 > escape2_) {
+          distance = shrink * std::sqrt(size2 / product2) * std::log(size2);
+          return false;
+        }
+        z = map_(z);
+      }
+      return true;
+    } else {
+      Vec4 q(1, 0, 0, 0);
+      for (int i = 0; i < iterations_; ++i) {
+        const double size2 = glm::dot(z, z);
+        if (size2 > escape2_) {
+          const double slope = Map::scale(i) * dot(gradient(q, z), ray.direction);
+          if (slope >= -kLeastDistance) return false;
+          const double steepness = -2 * slope, shortest = precision_ * steepness;
+          if (size2 > shortest && size2 < kLongestStride * shortest) distance = size2 / steepness;
+          return false;
+        }
+        q = i == 0 ? map_.factor(z, 0) : hypercomplex_product(q, map_.factor(z, i));
+        z = map_(z);
+      }
+      return true;
+    }
+  }
+
+  // Where the ray crosses the border that it has passed with its last step to t.
+  double border(const Ray& ray, double t, double step, bool was_inside) const {
+    t -= step;
+    do {
+      step *= 0.5;
+      if (is_in_set(ray.at(t + step)) == was_inside) t += step;
+    } while (step > kLeastStep);
+    // On the inner side.
+    return was_inside ? t : t + step;
+  }
+
+  Map map_;
+  Vec4 slice_;
+  double slice_distance_;
+  int iterations_;
+  double precision_;  // the shortest step
+  double radius_, escape2_;
+  bool inverted_ = false;
+  Transform placed_;
+};
+
+template <typename Map>
+PlacedShape place(const JuliaFractalNode& node, const Map& map) {
+  return {std::make_shared<JuliaFractal<Map>>(node, map), false, {}};
+}
+
+}  // namespace
+
+PlacedShape compile(const JuliaFractalNode& node, const ShapeContext&) {
+  using F = JuliaFractalNode::Function;
+  const Vec4& c = node.parameter;
+  if (node.algebra == JuliaFractalNode::Algebra::quaternion)
+    return node.function == F::cube ? place(node, QuaternionCube{c})
+                                    : place(node, QuaternionSquare{c});
+  switch (node.function) {
+    case F::sqr:
+    case F::cube:
+      return place(node, HypercomplexSquare{c});
+    case F::reciprocal:
+      return place(node, HypercomplexReciprocal{c});
+    default:
+      return place(node, HypercomplexFunction{c, complex_function(node.function), node.power});
+  }
+}
+
+}  // namespace durer

@@ -1,0 +1,90 @@
+#include "tracer/shapes/julia_maps.h"
+
+namespace durer {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kLeastExponent = -690;
+
+Complex square_root(const Complex& z) {
+  return std::polar(std::sqrt(std::abs(z)), std::atan2(z.imag(), z.real()) / 2);
+}
+Complex logarithm(const Complex& z) {
+  return {std::log(std::abs(z)), std::atan2(z.imag(), z.real())};
+}
+Complex exponential(const Complex& z) {
+  return z.real() < kLeastExponent ? Complex(0) : std::polar(std::exp(z.real()), z.imag());
+}
+Complex times_i(const Complex& z) {
+  return {-z.imag(), z.real()};
+}
+
+Complex tangent(const Complex& z) {
+  const double x = 2 * z.real(), y = 2 * z.imag();
+  return Complex(std::sin(x), std::sinh(y)) / (std::cos(x) + std::cosh(y));
+}
+Complex hyperbolic_tangent(const Complex& z) {
+  const double x = 2 * z.real(), y = 2 * z.imag();
+  return Complex(std::sinh(x), std::sin(y)) / (std::cosh(x) + std::cos(y));
+}
+Complex arc_sine(const Complex& z) {
+  return -times_i(logarithm(times_i(z) + square_root(1.0 - z * z)));
+}
+Complex arc_cosine(const Complex& z) {
+  const Complex t = logarithm(z + square_root(z * z - 1.0));
+  return {t.imag(), -t.real()};
+}
+Complex arc_tangent(const Complex& z) {
+  if (z.imag() == 0) return {std::atan(z.real()), 0};
+  if (z.real() == 0 && std::abs(z.imag()) < 1) return {0, std::atanh(z.imag())};
+  return 0.5 * times_i(logarithm((1.0 - times_i(z)) / (1.0 + times_i(z))));
+}
+Complex hyperbolic_arc_tangent(const Complex& z) {
+  if (z.real() == 0) return {0, std::atan(z.imag())};
+  if (z.imag() == 0 && std::abs(z.real()) == 1) return z;
+  return 0.5 * logarithm((1.0 + z) / (1.0 - z));
+}
+Complex power_of(const Complex& z, const Vec2& power) {
+  if (z == Complex(0)) return 0;
+  return exponential(Complex(power.x, power.y) * logarithm(z));
+}
+
+}  // namespace
+
+ComplexFunction complex_function(JuliaFractalNode::Function function) {
+  using F = JuliaFractalNode::Function;
+  switch (function) {
+    case F::exp:
+      return [](const Complex& z, const Vec2&) { return exponential(z); };
+    case F::log:
+      return [](const Complex& z, const Vec2&) { return logarithm(z); };
+    case F::sin:
+      return [](const Complex& z, const Vec2&) { return std::sin(z); };
+    case F::cos:
+      return [](const Complex& z, const Vec2&) { return std::cos(z); };
+    case F::tan:
+      return [](const Complex& z, const Vec2&) { return tangent(z); };
+    case F::sinh:
+      return [](const Complex& z, const Vec2&) { return std::sinh(z); };
+    case F::cosh:
+      return [](const Complex& z, const Vec2&) { return std::cosh(z); };
+    case F::tanh:
+      return [](const Complex& z, const Vec2&) { return hyperbolic_tangent(z); };
+    case F::asin:
+      return [](const Complex& z, const Vec2&) { return arc_sine(z); };
+    case F::acos:
+      return [](const Complex& z, const Vec2&) { return arc_cosine(z); };
+    case F::atan:
+      return [](const Complex& z, const Vec2&) { return arc_tangent(z); };
+    case F::asinh:
+      return [](const Complex& z, const Vec2&) { return logarithm(z + square_root(z * z + 1.0)); };
+    case F::acosh:
+      return [](const Complex& z, const Vec2&) { return logarithm(z + square_root(z * z - 1.0)); };
+    case F::atanh:
+      return [](const Complex& z, const Vec2&) { return hyperbolic_arc_tangent(z); };
+    default:
+      return power_of;
+  }
+}
+
+}  // namespace durer

@@ -1,0 +1,113 @@
+// The maps z -> f(z) + c that julia_fractal iterates, with the derivative vectors that its distance
+// estimates and normals are made of (spec/geometry.md 12.15).
+#pragma once
+
+#include <cmath>
+#include <complex>
+
+#include "tracer/scene/shapes.h"
+
+namespace durer {
+
+// i·j = k with i² = j² = k² = -1; x is the real part.
+struct QuaternionSquare {
+  static constexpr bool kQuaternion = true, kMixesUpStart = false;
+  static constexpr double kDegree = 2;
+  Vec4 c;
+
+  Vec4 operator()(const Vec4& z) const {
+    return Vec4(z.x * z.x - z.y * z.y - z.z * z.z - z.w * z.w, 2 * z.x * z.y, 2 * z.x * z.z,
+                2 * z.x * z.w) +
+           c;
+  }
+  // The image of a tangent v at z, up to a factor.
+  static Vec4 carry(const Vec4& z, const Vec4& v) {
+    return {z.x * v.x - (z.y * v.y + z.z * v.z + z.w * v.w), v.x * z.y + z.x * v.y,
+            v.x * z.z + z.x * v.z, v.x * z.w + z.x * v.w};
+  }
+};
+
+struct QuaternionCube {
+  static constexpr bool kQuaternion = true, kMixesUpStart = false;
+  static constexpr double kDegree = 3;
+  Vec4 c;
+
+  Vec4 operator()(const Vec4& z) const {
+    const double x2 = z.x * z.x, d = z.y * z.y + z.z * z.z + z.w * z.w, factor = 3 * x2 - d;
+    return Vec4(z.x * (x2 - 3 * d), z.y * factor, z.z * factor, z.w * factor) + c;
+  }
+  static Vec4 carry(const Vec4& z, const Vec4& v) {
+    const double t = 2 * (z.y * v.y + z.z * v.z + z.w * v.w);
+    const double d = z.y * z.y + z.z * z.z + z.w * z.w;
+    const double a = z.x * z.x - d, b = 3 * z.x * z.x - d, along = 6 * z.x * v.x - t;
+    return {3 * (a * v.x - z.x * t), b * v.y + z.y * along, b * v.z + z.z * along,
+            b * v.w + z.w * along};
+  }
+};
+
+// i² = j² = -1, k² = 1, i·j = k: commutative.
+inline Vec4 hypercomplex_product(const Vec4& a, const Vec4& b) {
+  return {
+      a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
+      a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
+}
+
+// Also iterated for `cube`, as in POV-Ray.
+struct HypercomplexSquare {
+  static constexpr bool kQuaternion = false, kMixesUpStart = false;
+  Vec4 c;
+
+  Vec4 operator()(const Vec4& z) const {
+    return Vec4(z.x * z.x - z.y * z.y - z.z * z.z + z.w * z.w, 2 * (z.x * z.y - z.z * z.w),
+                2 * (z.x * z.z - z.y * z.w), 2 * (z.x * z.w + z.y * z.z)) +
+           c;
+  }
+  // The factor by which step k changes the derivative, and that of m steps in all.
+  Vec4 factor(const Vec4& z, int) const { return z; }
+  static double scale(int m) { return m == 0 ? 2 : std::ldexp(1.0, m); }
+};
+
+// A complex function on the two planes that the algebra splits into.
+template <typename Function>
+Vec4 on_both_planes(const Vec4& z, const Function& function) {
+  const std::complex<double> a = function(std::complex<double>(z.x - z.w, z.y + z.z));
+  const std::complex<double> b = function(std::complex<double>(z.x + z.w, z.y - z.z));
+  return 0.5 *
+         Vec4(a.real() + b.real(), a.imag() + b.imag(), a.imag() - b.imag(), b.real() - a.real());
+}
+
+struct HypercomplexReciprocal {
+  static constexpr bool kQuaternion = false, kMixesUpStart = false;
+  Vec4 c;
+
+  static Vec4 reciprocal(const Vec4& z) {
+    return on_both_planes(z, [](const std::complex<double>& w) { return 1.0 / w; });
+  }
+  Vec4 operator()(const Vec4& z) const { return reciprocal(z) + c; }
+  Vec4 factor(const Vec4& z, int k) const {
+    if (k == 0) return z;
+    const Vec4 r = reciprocal(z);
+    return -hypercomplex_product(r, r);
+  }
+  static double scale(int) { return 1; }
+};
+
+using ComplexFunction = std::complex<double> (*)(const std::complex<double>& z, const Vec2& power);
+ComplexFunction complex_function(JuliaFractalNode::Function function);
+
+struct HypercomplexFunction {
+  // The plain iteration starts with y in the place of z, as in POV-Ray.
+  static constexpr bool kQuaternion = false, kMixesUpStart = true;
+  Vec4 c;
+  ComplexFunction function;
+  Vec2 power;
+
+  Vec4 image(const Vec4& z) const {
+    return on_both_planes(z, [&](const std::complex<double>& w) { return function(w, power); });
+  }
+  Vec4 operator()(const Vec4& z) const { return image(z) + c; }
+  Vec4 factor(const Vec4& z, int k) const { return k == 0 ? z : image(z); }
+  static double scale(int) { return 1; }
+};
+
+}  // namespace durer
