@@ -20,6 +20,7 @@
 #include "tracer/sampling/render.h"
 #include "tracer/scene/not_supported.h"
 #include "tracer/shading/whitted.h"
+#include "tracer/world/pattern_services.h"
 
 namespace durer {
 namespace {
@@ -195,9 +196,11 @@ class FrameRenderer {
     std::unique_ptr<World> world = World::build(
         *scene_, {options_.bounding_threshold, options_.remove_bounds, options_.split_unions});
     statistics_.lights = world->lights().size();
-    const ShadingScene scene(*scene_, std::move(world),
-                             {options_.render.quality, options_.output_alpha});
-    const Camera camera(camera_node, options_.render.width, options_.render.height);
+    const ShadingOptions shading{options_.render.quality, options_.output_alpha};
+    const ShadingScene scene(*scene_, std::move(world), shading);
+    const WorldPatternServices services(texture_settings(*scene_, shading), scene_->settings);
+    const Camera camera(camera_node, options_.render.width, options_.render.height,
+                        services.settings());
     const WhittedIntegrator integrator(scene, options_.render.integrator == IntegratorKind::raycast
                                                   ? WhittedIntegrator::Depth::raycast
                                                   : WhittedIntegrator::Depth::recursive);

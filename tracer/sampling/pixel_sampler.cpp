@@ -2,15 +2,39 @@
 
 #include <bit>
 
+#include "tracer/world/pattern_services.h"
+
 namespace durer {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+
+}  // namespace
 
 PixelSampler::PixelSampler(const ShadingScene& scene, const Camera& camera,
-                           const Integrator& integrator)
+                           const Integrator& integrator, int width, int height)
     : scene_(scene),
       camera_(camera),
       integrator_(integrator),
-      single_origin_(camera.has_single_origin()) {
-  if (single_origin_) interiors_at(camera.node().location, interiors_at_camera_);
+      looks_around_(camera.looks_around_each_origin()),
+      max_depth_(camera.node().max_distance >= kEpsilon ? camera.node().max_distance : kFarAway) {
+  if (camera.has_lens()) {
+    const WorldPatternServices services(texture_settings(scene.scene, scene.options),
+                                        scene.scene.settings);
+    focal_blur_.emplace(camera.node(), services.settings());
+  }
+  if (!looks_around_) find_interiors_of_first_ray(width, height);
+}
+
+void PixelSampler::find_interiors_of_first_ray(int width, int height) {
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      Ray ray;
+      if (!camera_.generate_ray(x + 0.5, y + 0.5, 0, ray)) continue;
+      interiors_at(ray.origin, interiors_of_first_ray_);
+      return;
+    }
+  }
 }
 
 void PixelSampler::interiors_at(const Vec3& point, InteriorList& list) const {
@@ -19,23 +43,50 @@ void PixelSampler::interiors_at(const Vec3& point, InteriorList& list) const {
   for (int i = 0; i < count; ++i) list.append(found[i]);
 }
 
-PixelColor PixelSampler::sample(double x, double y, RenderStatistics& statistics) const {
-  ++statistics.samples;
-  Ray ray;
-  if (!camera_.generate_ray(x + 0.5, y + 0.5, ray)) return {RGB(0.0f), 1};
+PixelColor PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& statistics) const {
   TracedRay traced;
   traced.origin = ray.origin;
   traced.direction = ray.direction;
+  traced.max_depth = max_depth_;
   traced.kind.primary = true;
-  traced.path = extend_path(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y));
-  if (single_origin_) {
-    traced.interiors = interiors_at_camera_;
-  } else {
+  traced.path = path;
+  if (looks_around_) {
     interiors_at(ray.origin, traced.interiors);
+  } else {
+    traced.interiors = interiors_of_first_ray_;
   }
   ++statistics.rays.primary;
   const RayResult result = integrator_.trace(traced, statistics.rays);
   return {result.color, result.transmit};
+}
+
+PixelColor PixelSampler::sample(double x, double y, RenderStatistics& statistics) const {
+  ++statistics.samples;
+  const PixelColor none{RGB(0.0f), 1};
+  const uint64_t path = extend_path(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y));
+  Ray ray;
+  if (focal_blur_) {
+    return focal_blur_->sample(x, y, [&](double sx, double sy, const Vec2& lens, int number) {
+      if (!camera_.generate_lens_ray(sx + 0.5, sy + 0.5, lens, ray)) return none;
+      return trace(ray, extend_path(path, static_cast<uint64_t>(number)), statistics);
+    });
+  }
+  if (camera_.rays_per_pixel() == 1) {
+    return camera_.generate_ray(x + 0.5, y + 0.5, 0, ray) ? trace(ray, path, statistics) : none;
+  }
+  // The mean of those rays that exist.
+  PixelColor sum;
+  int count = 0;
+  for (int i = 0; i < camera_.rays_per_pixel(); ++i) {
+    if (!camera_.generate_ray(x + 0.5, y + 0.5, i, ray)) continue;
+    const PixelColor seen = trace(ray, extend_path(path, static_cast<uint64_t>(i)), statistics);
+    sum.color += seen.color;
+    sum.transmit += seen.transmit;
+    ++count;
+  }
+  if (count == 0) return none;
+  const float share = 1.0f / static_cast<float>(count);
+  return {sum.color * share, sum.transmit * share};
 }
 
 }  // namespace durer

@@ -42,7 +42,7 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                         const Integrator& integrator, const RenderOptions& options,
                         Picture& picture, RenderObserver& observer,
                         const std::atomic<bool>& stop) {
-  const PixelSampler sampler(scene, camera, integrator);
+  const PixelSampler sampler(scene, camera, integrator, options.width, options.height);
   const SampleContrast contrast(scene.scene, options);
   std::vector<PixelWindow> blocks = blocks_of(options);
   std::erase_if(blocks, [&](const PixelWindow& block) {

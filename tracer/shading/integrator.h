@@ -10,7 +10,7 @@ namespace durer {
 struct RayResult {
   RGB color{0.0f};
   float transmit = 0;
-  double depth = 2e10;  // distance of the first hit
+  double depth = kFarAway;  // distance of the first hit
 };
 
 // Counts of one thread; summed after rendering.

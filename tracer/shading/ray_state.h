@@ -17,9 +17,13 @@ struct SpectralBand {
   bool is_monochromatic() const { return width > 0; }
 };
 
+// The depth of a ray that hits nothing.
+inline constexpr double kFarAway = 2e10;
+
 struct TracedRay {
   Vec3 origin;
   Vec3 direction;  // unit
+  double max_depth = kFarAway;  // nothing behind is seen; only primary rays may be shortened
   RayClass kind;
   int level = 0;
   float weight = 1;

@@ -6,12 +6,6 @@
 namespace durer {
 namespace {
 
-TextureSettings texture_settings(const Scene& scene, const ShadingOptions& options) {
-  return {{scene.settings.noise_generator, scene.settings.number_of_waves, nullptr},
-          options.quality,
-          scene.effective_version};
-}
-
 // Volumes and indirect light that a picture of this quality would show but that are not there yet.
 void refuse_missing_features(const Scene& scene, const World& world, int quality) {
   if (quality < 9) return;
@@ -28,6 +22,12 @@ void refuse_missing_features(const Scene& scene, const World& world, int quality
 }
 
 }  // namespace
+
+TextureSettings texture_settings(const Scene& scene, const ShadingOptions& options) {
+  return {{scene.settings.noise_generator, scene.settings.number_of_waves, nullptr},
+          options.quality,
+          scene.effective_version};
+}
 
 ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
                            const ShadingOptions& chosen)

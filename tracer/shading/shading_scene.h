@@ -16,6 +16,9 @@ struct ShadingOptions {
   bool output_alpha = false;  // +UA: the background is transparent
 };
 
+// What textures of a scene are compiled with.
+TextureSettings texture_settings(const Scene& scene, const ShadingOptions& options);
+
 struct ShadingScene {
   // Throws NotSupported for what something visible needs and shading cannot do yet.
   ShadingScene(const Scene& scene, std::unique_ptr<World> world, const ShadingOptions& options);

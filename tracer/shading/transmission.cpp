@@ -74,6 +74,7 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   ++counts.refracted;
   TracedRay next = ray;
   next.origin = hit.surface.point;
+  next.max_depth = kFarAway;
   next.kind.primary = false;
   next.weight = weight;
   next.path = extend_path(ray.path, kEventTransmission);
@@ -114,6 +115,7 @@ RGB WhittedIntegrator::refract_bands(const TracedRay& ray, const SurfaceHit& hit
   for (int i = 0; i < samples; ++i) {
     TracedRay next = ray;
     next.origin = hit.surface.point;
+    next.max_depth = kFarAway;
     next.kind.primary = false;
     next.weight = weight;
     next.level = ray.level + 1;

@@ -9,7 +9,6 @@ namespace durer {
 namespace {
 
 constexpr double kEpsilon = 1e-10;
-constexpr double kFar = 2e10;
 constexpr uint32_t kPurposeCrand = 2;
 constexpr uint32_t kPurposeRainbow = 3;
 constexpr uint32_t kPurposeAreaIllumination = 4;
@@ -39,13 +38,14 @@ RayResult WhittedIntegrator::trace(const TracedRay& ray, RayCounts& counts) cons
 
   Hit hit;
   const bool met =
-      scene_.world->closest_hit(ray.origin, ray.direction, ray.kind, kFar, hit);
+      scene_.world->closest_hit(ray.origin, ray.direction, ray.kind, ray.max_depth, hit);
   if (met) {
     SurfacePoint surface;
     scene_.world->surface_point(ray.origin, ray.direction, hit, surface);
     result.depth = hit.t;
     shade_surface(ray, surface, hit.t, counts, result);
   } else {
+    result.depth = ray.max_depth;
     scene_.atmosphere.background(ray.direction, !ray.kind.reflected, result.color,
                                  result.transmit);
   }
@@ -362,6 +362,7 @@ RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, cons
   TracedRay next = ray;
   next.origin = hit.surface.point;
   next.direction = normalize_or_zero(direction);
+  next.max_depth = kFarAway;
   next.kind.primary = false;
   next.kind.reflected = true;
   next.level = ray.level + 1;
