@@ -278,6 +278,14 @@ void OptionReader::read_long_option(const std::vector<std::string>& arguments, s
   }
   set(*entry, value, text);
   if (entry->sign != Option::count) values_.set_toggle(entry->sign, true);
+  // --supersampling grid 4
+  const auto is_number = [](const std::string& word) {
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+  };
+  if (entry->id == Option::supersampling && index + 1 < arguments.size() &&
+      is_number(arguments[index + 1])) {
+    values_.set_from_text(Option::supersampling_grid, arguments[++index]);
+  }
 }
 
 void OptionReader::read_arguments(const std::vector<std::string>& arguments) {

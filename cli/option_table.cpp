@@ -481,7 +481,7 @@ constexpr std::array<OptionEntry, kOptionCount> kOptions = {{
      ""},
     {Option::supersampling, "Supersampling", "", "supersampling", OptionKind::text,
      Option::count, "NAME", OptionGroup::antialiasing,
-     "none, method1, method2 (POV-Ray's), grid or jitter (for teaching)",
+     "none, grid [N], jitter [N] (N x N samples), adaptive; method1, method2: +AM1, +AM2",
      ""},
     {Option::supersampling_grid, "Supersampling_Grid", "", "supersampling-grid", OptionKind::integer,
      Option::count, "N", OptionGroup::antialiasing,

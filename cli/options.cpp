@@ -77,27 +77,29 @@ void resolve_antialiasing(const OptionValues& values, RenderOptions& render) {
       render.supersampling = Supersampling::none;
     } else if (name == "method1") {
       render.supersampling = Supersampling::method1;
-    } else if (name == "method2") {
+    } else if (name == "method2" || name == "adaptive") {
       render.supersampling = Supersampling::method2;
     } else if (name == "grid") {
       render.supersampling = Supersampling::grid;
     } else if (name == "jitter") {
       render.supersampling = Supersampling::jitter;
     } else {
-      throw OptionError("Supersampling is none, method1, method2, grid or jitter, not '" + name +
-                        "'");
+      throw OptionError("Supersampling is none, grid, jitter, adaptive (as method2), method1 or " +
+                        ("method2, not '" + name + "'"));
     }
   } else if (values.toggle(Option::antialias, false) && method != 0) {
     render.supersampling = method == 2 ? Supersampling::method2 : Supersampling::method1;
   }
   render.grid_samples = std::clamp(values.integer(Option::supersampling_grid, 3), 1, 64);
-  render.antialias_threshold =
-      std::clamp(values.number(Option::antialias_threshold, 0.3), 0.0, 1.0);
+  // POV-Ray keeps these in single precision and computes with them in double.
+  const auto single = [&](Option option, double otherwise) {
+    return static_cast<double>(static_cast<float>(values.number(option, otherwise)));
+  };
+  render.antialias_threshold = std::clamp(single(Option::antialias_threshold, 0.3), 0.0, 1.0);
   render.antialias_depth = std::clamp(values.integer(Option::antialias_depth, 3), 1, 9);
-  render.antialias_gamma = values.number(Option::antialias_gamma, 2.5);
+  render.antialias_gamma = single(Option::antialias_gamma, 2.5);
   const bool jitter = values.toggle(Option::jitter, true);
-  render.jitter_amount =
-      jitter ? std::clamp(values.number(Option::jitter_amount, 1), 0.0, 1.0) : 0;
+  render.jitter_amount = jitter ? std::clamp(single(Option::jitter_amount, 1), 0.0, 1.0) : 0;
 }
 
 void resolve_render(const OptionValues& values, RenderOptions& render) {

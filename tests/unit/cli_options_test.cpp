@@ -230,6 +230,15 @@ TEST(CliOptions, Clamping) {
   EXPECT_EQ(options_of({"+A", "+AM2"}).render.supersampling, Supersampling::method2);
   EXPECT_EQ(options_of({"+A", "+AM0"}).render.supersampling, Supersampling::none);
   EXPECT_EQ(options_of({"+AM2"}).render.supersampling, Supersampling::none);
+  EXPECT_EQ(options_of({"--supersampling", "adaptive"}).render.supersampling,
+            Supersampling::method2);
+  const RenderOptions grid = options_of({"--supersampling", "grid", "5", "+W40"}).render;
+  EXPECT_EQ(grid.supersampling, Supersampling::grid);
+  EXPECT_EQ(grid.grid_samples, 5);
+  EXPECT_EQ(grid.width, 40);
+  EXPECT_EQ(options_of({"--supersampling=jitter", "2"}).render.grid_samples, 2);
+  EXPECT_EQ(options_of({"--supersampling", "jitter"}).render.grid_samples, 3);
+  EXPECT_THROW(options_of({"--supersampling", "randomly"}), OptionError);
   EXPECT_THROW(options_of({"+BS2"}), OptionError);
   EXPECT_THROW(options_of({"+H0"}), OptionError);
   EXPECT_THROW(options_of({"+W-5"}), OptionError);

@@ -6,8 +6,8 @@
 namespace durer {
 
 enum class IntegratorKind { whitted, raycast };
-// none/adaptive_neighbours (+AM1)/adaptive_corners (+AM2) are POV-Ray's; grid and jitter are for
-// teaching.
+// method1 (+AM1: where neighbours differ) and method2 (+AM2: where corners differ) are POV-Ray's; grid
+// and jitter are for teaching.
 enum class Supersampling { none, method1, method2, grid, jitter };
 
 struct RenderOptions {
