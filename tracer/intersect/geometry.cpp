@@ -283,7 +283,9 @@ bool Geometry::closest(uint32_t index, const GeometryRay& ray, double t_max, Hit
         if (!geometry.takes_part(node, member, ray.kind)) return;
         if (member.bounds.count && !geometry.passes_bounds(member, ray, stack)) return;
         const double limit = found && i > position ? just_beyond(best) : best;
-        if (!geometry.closest(child, ray, limit, stack, hit)) return;
+        ShapeHit candidate;
+        if (!geometry.closest(child, ray, limit, stack, candidate)) return;
+        hit = candidate;
         best = hit.t;
         position = i;
         found = true;

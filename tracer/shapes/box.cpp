@@ -30,9 +30,11 @@ class Box final : public Shape {
     const auto& [near, far, entry, exit] = crossing;
     // At equal depths the exit, pushed last, wins.
     const bool enters = near >= kLeastHitDepth && near < far;
-    hit.t = enters ? near : far;
+    const double t = enters ? near : far;
+    if (!(t >= kLeastHitDepth && t < ray.t_max)) return false;
+    hit.t = t;
     hit.part = enters ? entry : exit;
-    return hit.t >= kLeastHitDepth && hit.t < ray.t_max;
+    return true;
   }
 
   bool inside(const Vec3& p) const override {

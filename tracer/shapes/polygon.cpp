@@ -14,36 +14,42 @@ bool same_point(const Vec3& a, const Vec3& b) {
   return std::abs(a.x - b.x) < kSame && std::abs(a.y - b.y) < kSame && std::abs(a.z - b.z) < kSame;
 }
 
-// In its own plane z = 0; the frame is kept beside it as a transform.
+// In its own plane z = 0, with the transforms in its frame.
 class Polygon final : public Shape {
  public:
-  explicit Polygon(std::vector<Vec2> points) : points_(std::move(points)) {
-    for (const Vec2& p : points_) box_.extend(Vec3(p.x, p.y, 0));
-  }
+  Polygon(std::vector<Vec2> points, const Transform& frame)
+      : points_(std::move(points)), frame_(frame) {}
 
+  // Of the points where they are now.
   Bounds bounds() const override {
-    Bounds box = box_;
+    Bounds box;
+    for (const Vec2& p : points_) box.extend(frame_.point({p.x, p.y, 0}));
     for (int i = 0; i < 3; ++i) {
-      if (box.max[i] - box.min[i] < kThickness) {
-        box.min[i] -= kThickness;
-        box.max[i] += kThickness;
-      }
+      if (box.max[i] - box.min[i] >= kThickness) continue;
+      box.min[i] -= kThickness;
+      box.max[i] += kThickness;
     }
     return box;
   }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    const double scale = 1 / length(ray.direction);
-    const Vec3 d = ray.direction * scale;
+    Vec3 d = frame_.inverse_direction(ray.direction);
+    const double scale = 1 / length(d);
+    d *= scale;
     if (std::abs(d.z) < kGeometryEpsilon) return;
-    const double depth = -ray.origin.z / d.z;
+    const Vec3 o = frame_.inverse_point(ray.origin);
+    const double depth = -o.z / d.z;
     if (!(depth >= 1e-8 && depth <= kGreatestDepth)) return;
-    if (covers(ray.origin.x + depth * d.x, ray.origin.y + depth * d.y)) out.push(depth * scale);
+    if (covers(o.x + depth * d.x, o.y + depth * d.y)) out.push(depth * scale);
   }
 
   bool inside(const Vec3&) const override { return false; }
-  Vec3 normal(const Vec3&, const ShapeHit&) const override { return {0, 0, 1}; }
+  Vec3 normal(const Vec3&, const ShapeHit&) const override { return frame_.normal({0, 0, 1}); }
   bool takes_inverse_mark() const override { return false; }
+
+  std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
+    return std::make_shared<Polygon>(points_, frame_.then(transform));
+  }
 
  private:
   // Even-odd parity of all sub-polygons along +x.
@@ -55,8 +61,7 @@ class Polygon final : public Shape {
       const Vec2 &from = points_[i - 1], &to = points_[i];
       const bool above = to.y >= y;
       if (above != previous_above) {
-        const bool beyond =
-            (to.y - y) * (from.x - to.x) >= (to.x - x) * (from.y - to.y);
+        const bool beyond = (to.y - y) * (from.x - to.x) >= (to.x - x) * (from.y - to.y);
         if (beyond == above) inside = !inside;
       }
       previous_above = above;
@@ -71,7 +76,7 @@ class Polygon final : public Shape {
   }
 
   std::vector<Vec2> points_;  // closed sub-polygons one after another
-  Bounds box_;
+  Transform frame_;           // from the plane z = 0
 };
 
 }  // namespace
@@ -120,7 +125,7 @@ PlacedShape compile(const PolygonNode& node, const ShapeContext&) {
     const Vec3 local = frame.inverse_point(p);
     flat.push_back({local.x, local.y});
   }
-  return {std::make_shared<Polygon>(std::move(flat)), true, frame};
+  return {std::make_shared<Polygon>(std::move(flat), frame), false, {}};
 }
 
 }  // namespace durer

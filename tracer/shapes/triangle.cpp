@@ -75,7 +75,12 @@ class Triangle final : public Shape {
     std::array<Vec3, 3> p, n = n_;
     for (int i = 0; i < 3; ++i) p[i] = transform.point(p_[i]);
     if (smooth_) {
-      for (Vec3& one : n) one = normalize_or_zero(transform.normal(one));
+      // Their lengths weigh them afterwards; only a scale makes them unit vectors again.
+      const bool is_scaling = kind_of(transform) == TransformKind::scaling;
+      for (Vec3& one : n) {
+        one = transform.normal(one);
+        if (is_scaling) one = normalize_or_zero(one);
+      }
     }
     return make(p, n, smooth_);
   }

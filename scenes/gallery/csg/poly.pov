@@ -1,0 +1,5 @@
+// poly in every kind of CSG.
+#version 3.7;
+#include "stage.inc"
+#declare Shape = object { quartic { <2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, -1, 0, 0, 0, 0, 0, 2, 0, -1, 0, -0.5> sturm } }
+Nested(Shape)

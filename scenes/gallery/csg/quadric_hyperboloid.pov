@@ -1,0 +1,5 @@
+// quadric_hyperboloid in every kind of CSG.
+#version 3.7;
+#include "stage.inc"
+#declare Shape = object { intersection { quadric { <2, -1, 2>, <0, 0, 0>, <0, 0, 0>, -0.3 } box { <-1, -0.8, -1>, <1, 0.8, 1> } } }
+Nested(Shape)

@@ -1,0 +1,5 @@
+// text in every kind of CSG.
+#version 3.7;
+#include "stage.inc"
+#declare Shape = object { text { ttf "timrom.ttf" "Rq8" 0.4, 0 translate <-0.75, -0.3, -0.2> } }
+Nested(Shape)

@@ -1,0 +1,5 @@
+// cylinder_open: moved, turned, sheared, mirrored; uv mapped; clipped with an interior_texture.
+#version 3.7;
+#include "stage.inc"
+#declare Shape = object { cylinder { <0, -0.8, 0>, <0.2, 0.8, 0.1>, 0.6 open } }
+Moved(Shape)

@@ -1,0 +1,5 @@
+// sor: moved, turned, sheared, mirrored; uv mapped; clipped with an interior_texture.
+#version 3.7;
+#include "stage.inc"
+#declare Shape = object { sor { 6, <0.2, -1.1>, <0.6, -0.8>, <0.3, -0.2>, <0.7, 0.3>, <0.3, 0.8>, <0, 1> } }
+Moved(Shape)
