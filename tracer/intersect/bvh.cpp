@@ -197,6 +197,7 @@ void Bvh::build(const std::vector<Bounds>& boxes) {
   // Whatever is computed in single precision from points near the boxes errs by less than this.
   const Vec3 half = 0.5 * bounds_.size();
   const double margin = kMargin * std::max({half.x, half.y, half.z}) + 1e-30;
+  reach_ = {bounds_.min - Vec3(4 * margin), bounds_.max + Vec3(4 * margin)};
   std::vector<Box> rounded(boxes.size());
   for (size_t i = 0; i < boxes.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -209,37 +210,32 @@ void Bvh::build(const std::vector<Bounds>& boxes) {
   nodes_.shrink_to_fit();
 }
 
-void Bvh::visit_ray(const Vec3& origin, const Vec3& direction, double t_max,
-                    BvhRayVisitor visitor, void* context) const {
+void Bvh::visit_ray(const BvhRay& ray, double t_max, BvhRayVisitor visitor,
+                    void* context) const {
   if (nodes_.empty()) return;
-  // Clip to the whole in double, and start there: far origins would lose their digits.
-  const Vec3 half = 0.5 * bounds_.size();
-  const double margin = 4 * kMargin * std::max({half.x, half.y, half.z}) + 1e-30;
+  // Clip to the whole in double, and start there: far origins would lose their digits. NaN (0·∞ in
+  // a face's plane) loses every comparison.
   double enter = 0, leave = t_max;
   for (int axis = 0; axis < 3; ++axis) {
-    const double d = direction[axis], o = origin[axis];
-    const double low = bounds_.min[axis] - margin, high = bounds_.max[axis] + margin;
-    if (d == 0) {
-      if (o < low || o > high) return;
-      continue;
-    }
-    const double inverse = 1 / d;
-    const double a = (low - o) * inverse, b = (high - o) * inverse;
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
+    const bool down = ray.inverse[axis] < 0;
+    const double near = ((down ? reach_.max : reach_.min)[axis] - ray.origin[axis]) *
+                        ray.inverse[axis];
+    const double far = ((down ? reach_.min : reach_.max)[axis] - ray.origin[axis]) *
+                       ray.inverse[axis];
+    enter = near > enter ? near : enter;
+    leave = far < leave ? far : leave;
   }
   if (!(enter <= leave * (1 + 1e-12))) return;
   BvhRayQuery query;
   query.nodes = nodes_.data();
-  query.items = items_.data();
   query.t_offset = enter;
   query.t_max = t_max;
   query.visitor = visitor;
   query.context = context;
   for (int axis = 0; axis < 3; ++axis) {
     query.origin[axis] =
-        static_cast<float>(origin[axis] + enter * direction[axis] - center_[axis]);
-    query.inverse[axis] = static_cast<float>(1 / direction[axis]);
+        static_cast<float>(ray.origin[axis] + enter * ray.direction[axis] - center_[axis]);
+    query.inverse[axis] = static_cast<float>(ray.inverse[axis]);
   }
   kHasV3 ? v3_kernel::visit_ray(query) : base_kernel::visit_ray(query);
 }

@@ -20,8 +20,16 @@ struct alignas(64) BvhNode {
   uint32_t child[8];
 };
 
-// Tests one item. May lower t_max; returns true to end the walk.
-using BvhRayVisitor = bool (*)(void* context, uint32_t item, double& t_max);
+// A ray with what its walks share: 1/direction, infinite where a component is 0.
+struct BvhRay {
+  Vec3 origin;
+  Vec3 direction;
+  Vec3 inverse;
+};
+
+// Tests one leaf's items: `count` positions from `first` on in items(). May lower t_max; returns
+// true to end the walk.
+using BvhRayVisitor = bool (*)(void* context, uint32_t first, uint32_t count, double& t_max);
 using BvhPointVisitor = bool (*)(void* context, uint32_t item);
 
 class Bvh {
@@ -29,13 +37,14 @@ class Bvh {
   // Boxes must be finite and not empty; item i is boxes[i].
   void build(const std::vector<Bounds>& boxes);
 
-  // Visits the items whose boxes the ray may meet before t_max, near ones first; each item at least
+  // Visits the leaves whose boxes the ray may meet before t_max, near ones first; each item at least
   // when its box overlaps [0, t_max], perhaps also others. Origins may be anywhere.
-  void visit_ray(const Vec3& origin, const Vec3& direction, double t_max, BvhRayVisitor visitor,
-                 void* context) const;
+  void visit_ray(const BvhRay& ray, double t_max, BvhRayVisitor visitor, void* context) const;
   // Visits the items whose boxes contain the point, perhaps also others.
   void visit_point(const Vec3& point, BvhPointVisitor visitor, void* context) const;
 
+  // Item numbers in the order of the leaves.
+  const std::vector<uint32_t>& items() const { return items_; }
   bool is_empty() const { return nodes_.empty(); }
   const Bounds& bounds() const { return bounds_; }
   size_t memory() const { return nodes_.size() * sizeof(BvhNode) + items_.size() * 4; }
@@ -44,6 +53,7 @@ class Bvh {
   std::vector<BvhNode> nodes_;   // root first
   std::vector<uint32_t> items_;  // in leaf order
   Bounds bounds_;
+  Bounds reach_;  // bounds_ with the margin that rounding asks for
   // Boxes are stored relative to this point, so that far-off small scenes keep their digits.
   Vec3 center_{0};
 };

@@ -9,7 +9,6 @@ namespace durer {
 
 struct BvhRayQuery {
   const BvhNode* nodes;
-  const uint32_t* items;
   float origin[3];
   float inverse[3];  // of the direction; infinite where that is 0
   double t_offset;   // what the true origin lies before `origin`

@@ -9,48 +9,29 @@ namespace {
 // Composites with at least this many children get a hierarchy (performance.md 4).
 constexpr uint32_t kTreeThreshold = 24;
 
-ShapeRay local_ray(const Geometry& geometry, const GeometryNode& node, const GeometryRay& ray) {
-  ShapeRay local;
-  if (node.transform < 0) {
-    local.origin = ray.origin;
-    local.direction = ray.direction;
-    local.unit_direction = ray.unit;
-  } else {
-    const Transform& t = geometry.transforms[node.transform];
-    local.origin = t.inverse_point(ray.origin);
-    local.direction = t.inverse_direction(ray.direction);
-  }
-  local.csg_child = node.csg_child;
-  return local;
-}
-
 // The next double up: lets a later child take over at equal depth.
 double just_beyond(double t) { return std::nextafter(t, HUGE_VAL); }
 
-// The ray's interval within a box that is widened by a hair; empty: low > high.
-Interval clip_to(const Bounds& box, const GeometryRay& ray) {
-  double low = 0, high = kHugeDepth;
+// Narrows an interval to a ray's way through a box; false: nothing is left.
+bool clip_to(const Bounds& box, const BvhRay& ray, Interval& interval) {
+  double low = interval.min, high = interval.max;
   for (int axis = 0; axis < 3; ++axis) {
-    const double d = ray.direction[axis], o = ray.origin[axis];
-    const double margin = 1e-9 * (std::abs(box.min[axis]) + std::abs(box.max[axis])) + 1e-9;
-    if (d == 0) {
-      if (o < box.min[axis] - margin || o > box.max[axis] + margin) return {1, 0};
-      continue;
-    }
-    const double a = (box.min[axis] - margin - o) / d, b = (box.max[axis] + margin - o) / d;
-    low = std::max(low, std::min(a, b));
-    high = std::min(high, std::max(a, b));
+    // NaN (0·∞ in a face's plane) loses every comparison.
+    const bool down = ray.inverse[axis] < 0;
+    const double near = ((down ? box.max : box.min)[axis] - ray.origin[axis]) * ray.inverse[axis];
+    const double far = ((down ? box.min : box.max)[axis] - ray.origin[axis]) * ray.inverse[axis];
+    low = near > low ? near : low;
+    high = far < high ? far : high;
   }
-  return {low, high * (1 + 1e-12)};
-}
-
-bool near_box(const Bounds& box, const Vec3& p) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double margin = 1e-9 * (std::abs(box.min[axis]) + std::abs(box.max[axis])) + 1e-9;
-    if (p[axis] < box.min[axis] - margin || p[axis] > box.max[axis] + margin) return false;
-  }
+  if (!(low <= high * (1 + 1e-12))) return false;
+  interval.min = low * (1 - 1e-12);
+  interval.max = high * (1 + 1e-12);
   return true;
 }
+
+// Members of an intersection that a ray crosses once narrow the way on which the others count: by
+// this much less, so that hits on the border are left to the inside tests.
+constexpr double kBorder = 1e-7;
 
 // Which children of a composite a ray may meet, in order. Lists longer than the stack buffer are
 // not culled.
@@ -127,7 +108,7 @@ bool Geometry::all_or_none(const GeometryNode& node, const Vec3& point, bool wan
       const GeometryNode& other = nodes[child[i]];
       // Far from its surface a bounded child is all in or all out.
       if (other.surface_is_bounded && other.contains_outside == wanted &&
-          !near_box(other.surface, point)) {
+          !other.reach.contains(point)) {
         continue;
       }
       if (!agrees(child[i])) return false;
@@ -177,9 +158,9 @@ void Geometry::shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stac
   const GeometryNode& node = nodes[index];
   const size_t base = stack.size();
   stack.owner = index;
-  ShapeRay local = local_ray(*this, node, ray);
+  ShapeRay local = shape_ray(ray, node.transform < 0 ? nullptr : &transforms[node.transform]);
   // The first hit may be clipped away.
-  if (node.clips.count) local.csg_child = true;
+  local.csg_child = node.csg_child || node.clips.count;
   node.shape->hits(local, stack);
   if (node.clips.count == 0) return;
   size_t kept = base;
@@ -189,38 +170,11 @@ void Geometry::shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stac
   stack.shrink(kept);
 }
 
-void Geometry::all_hits(uint32_t index, const GeometryRay& ray, HitStack& stack) const {
-  const GeometryNode& node = nodes[index];
-  if (node.kind == NodeKind::nothing) return;
-  if (node.kind == NodeKind::shape) {
-    shape_hits(index, ray, stack);
-    return;
-  }
-  const bool direct = node.kind == NodeKind::union_ && node.clips.count == 0;
-  Interval interval{0, kHugeDepth};
-  if (node.surface_is_bounded) {
-    interval = clip_to(node.surface, ray);
-    if (!(interval.min <= interval.max)) return;
-  }
-  const auto visit = [&](uint32_t child) {
-    const GeometryNode& member = nodes[child];
-    if (!takes_part(node, member, ray.kind)) return;
-    if (member.bounds.count && !passes_bounds(member, ray, stack)) return;
-    const size_t base = stack.size();
-    all_hits(child, ray, stack);
-    if (direct) return;
-    // Popped and pushed again: reversed within the child.
-    for (size_t i = base, j = stack.size(); i + 1 < j; ++i) std::swap(stack[i], stack[--j]);
-    size_t kept = base;
-    for (size_t i = base; i < stack.size(); ++i) {
-      // Farther out than the whole composite reaches: some other member rejects it.
-      if (stack[i].t > interval.max || stack[i].t < interval.min) continue;
-      if (keeps_hit(node, child, ray.origin + stack[i].t * ray.direction, ray.kind)) {
-        stack[kept++] = stack[i];
-      }
-    }
-    stack.shrink(kept);
-  };
+// visit(child node) for the children that the ray may meet within the interval, in order, until one
+// returns false. Visits may narrow the interval.
+template <typename Visit>
+void Geometry::for_each_child_met(const GeometryNode& node, const GeometryRay& ray,
+                                  const Interval& interval, Visit&& visit) const {
   const uint32_t* child = lists.data() + node.children.first;
   if (node.tree >= 0) {
     const ChildTree& tree = *trees[node.tree];
@@ -228,103 +182,245 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, HitStack& stack)
     for (const uint32_t i : tree.others) picker.add(i);
     struct Context {
       ChildPicker& picker;
-      const uint32_t* bounded;
-    } context{picker, tree.bounded.data()};
+      const ChildTree& tree;
+    } context{picker, tree};
     tree.bvh.visit_ray(
-        ray.origin, ray.direction, interval.max,
-        [](void* data, uint32_t item, double&) {
+        ray, interval.max,
+        [](void* data, uint32_t first, uint32_t count, double&) {
           auto& c = *static_cast<Context*>(data);
-          c.picker.add(c.bounded[item]);
+          for (uint32_t i = first; i < first + count; ++i) {
+            c.picker.add(c.tree.bounded[c.tree.bvh.items()[i]]);
+          }
           return c.picker.overflowed();
         },
         &context);
     if (!picker.overflowed()) {
       picker.sort();
-      for (const uint32_t i : picker) visit(child[i]);
+      for (const uint32_t i : picker) {
+        if (!visit(child[i])) return;
+      }
       return;
     }
   }
   for (uint32_t i = 0; i < node.children.count; ++i) {
-    const GeometryNode& member = nodes[child[i]];
-    if (member.surface_is_bounded) {
-      const Interval reach = clip_to(member.surface, ray);
-      if (!(reach.min <= reach.max) || reach.min > interval.max) continue;
-    }
-    visit(child[i]);
+    if (!visit(child[i])) return;
   }
 }
 
-bool Geometry::closest(uint32_t index, const GeometryRay& ray, double t_max, HitStack& stack,
-                       ShapeHit& hit) const {
-  const GeometryNode& node = nodes[index];
-  if (node.kind == NodeKind::shape && node.clips.count == 0) {
-    ShapeRay local = local_ray(*this, node, ray);
-    local.t_max = t_max;
-    if (!node.shape->closest(local, stack, hit)) return false;
-    hit.node = index;
-    return true;
-  }
-  if (node.kind == NodeKind::union_ && node.clips.count == 0) {
-    // The nearest of the children; of equal ones the last.
-    struct Context {
-      const Geometry& geometry;
-      const GeometryNode& node;
-      const GeometryRay& ray;
-      HitStack& stack;
-      ShapeHit& hit;
-      const uint32_t* bounded;
-      double best;
-      int64_t position;
-      bool found;
-
-      void test(uint32_t i) {
-        const uint32_t child = geometry.lists[node.children.first + i];
-        const GeometryNode& member = geometry.nodes[child];
-        if (!geometry.takes_part(node, member, ray.kind)) return;
-        if (member.bounds.count && !geometry.passes_bounds(member, ray, stack)) return;
-        const double limit = found && i > position ? just_beyond(best) : best;
-        ShapeHit candidate;
-        if (!geometry.closest(child, ray, limit, stack, candidate)) return;
-        hit = candidate;
-        best = hit.t;
-        position = i;
-        found = true;
-      }
-    } context{*this, node, ray, stack, hit, nullptr, t_max, -1, false};
-    if (node.tree >= 0) {
-      const ChildTree& tree = *trees[node.tree];
-      for (const uint32_t i : tree.others) context.test(i);
-      context.bounded = tree.bounded.data();
-      tree.bvh.visit_ray(
-          ray.origin, ray.direction, context.best,
-          [](void* data, uint32_t item, double& limit) {
-            auto& c = *static_cast<Context*>(data);
-            c.test(c.bounded[item]);
-            limit = c.best;
-            return false;
-          },
-          &context);
-    } else {
-      for (uint32_t i = 0; i < node.children.count; ++i) context.test(i);
-    }
-    return context.found;
-  }
+// Pushes a member's hits on the interval, in the order in which a composite passes them on: popped
+// and pushed again, so reversed. False: the ray misses the whole intersection on the interval.
+bool Geometry::member_hits(const GeometryNode& node, uint32_t child, const GeometryRay& ray,
+                           Interval& interval, HitStack& stack) const {
+  const GeometryNode& member = nodes[child];
+  if (!takes_part(node, member, ray.kind)) return true;
+  const bool narrows = member.narrows && node.kind == NodeKind::intersection;
+  Interval reach = interval;
+  if (member.surface_is_bounded && !clip_to(member.reach, ray, reach)) return !narrows;
+  if (member.bounds.count && !passes_bounds(member, ray, stack)) return true;
   const size_t base = stack.size();
-  all_hits(index, ray, stack);
-  bool found = false;
-  double best = t_max;
-  for (size_t i = stack.size(); i-- > base;) {
-    if (stack[i].t < best && stack[i].t >= kLeastHitDepth) {
-      best = stack[i].t;
-      hit = stack[i];
+  all_hits(child, ray, interval, stack);
+  if (narrows) {
+    // What lies outside of this member counts no more.
+    const size_t count = stack.size() - base;
+    if (count == 0) return false;
+    double first = stack[base].t, last = first;
+    for (size_t i = base + 1; i < stack.size(); ++i) {
+      first = std::min(first, stack[i].t);
+      last = std::max(last, stack[i].t);
+    }
+    const double border = kBorder * (1 + last);
+    if (count > 1) interval.min = std::max(interval.min, first - border);
+    // A single hit is where the ray leaves, unless rounding took the other.
+    if (count > 1 || inside_unclipped(child, ray.origin)) {
+      interval.max = std::min(interval.max, last + border);
+    }
+    if (interval.min > interval.max) return false;
+  }
+  for (size_t i = base, j = stack.size(); i + 1 < j; ++i) std::swap(stack[i], stack[--j]);
+  size_t kept = base;
+  for (size_t i = base; i < stack.size(); ++i) {
+    if (stack[i].t <= interval.max && stack[i].t >= interval.min) stack[kept++] = stack[i];
+  }
+  stack.shrink(kept);
+  return true;
+}
+
+void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& wanted,
+                        HitStack& stack) const {
+  const GeometryNode& node = nodes[index];
+  if (node.kind == NodeKind::nothing) return;
+  if (node.kind == NodeKind::shape) {
+    shape_hits(index, ray, stack);
+    return;
+  }
+  Interval interval = wanted;
+  if (node.surface_is_bounded && !clip_to(node.reach, ray, interval)) return;
+  const size_t start = stack.size();
+  if (node.kind == NodeKind::union_ && node.clips.count == 0) {
+    for_each_child_met(node, ray, interval, [&](uint32_t child) {
+      const GeometryNode& member = nodes[child];
+      Interval reach = interval;
+      if (!takes_part(node, member, ray.kind)) return true;
+      if (member.surface_is_bounded && !clip_to(member.reach, ray, reach)) return true;
+      if (member.bounds.count && !passes_bounds(member, ray, stack)) return true;
+      all_hits(child, ray, interval, stack);
+      return true;
+    });
+    return;
+  }
+  for_each_child_met(node, ray, interval, [&](uint32_t child) {
+    const size_t base = stack.size();
+    if (!member_hits(node, child, ray, interval, stack)) {
+      stack.shrink(start);
+      return false;
+    }
+    size_t kept = base;
+    for (size_t i = base; i < stack.size(); ++i) {
+      if (keeps_hit(node, child, ray.origin + stack[i].t * ray.direction, ray.kind)) {
+        stack[kept++] = stack[i];
+      }
+    }
+    stack.shrink(kept);
+    return true;
+  });
+}
+
+// The nearest of the children; of equal ones the last.
+bool Geometry::closest_of_union(const GeometryNode& node, const GeometryRay& ray, double t_max,
+                                HitStack& stack, ShapeHit& hit) const {
+  struct Context {
+    const Geometry& geometry;
+    const GeometryNode& node;
+    const GeometryRay& ray;
+    HitStack& stack;
+    ShapeHit& hit;
+    const ChildTree* tree;
+    double best;
+    int64_t position;
+    bool found;
+
+    void test(uint32_t i) {
+      const uint32_t child = geometry.lists[node.children.first + i];
+      const GeometryNode& member = geometry.nodes[child];
+      if (!geometry.takes_part(node, member, ray.kind)) return;
+      if (member.bounds.count && !geometry.passes_bounds(member, ray, stack)) return;
+      const double limit = found && i > position ? just_beyond(best) : best;
+      ShapeHit candidate;
+      if (!geometry.closest(child, ray, limit, stack, candidate)) return;
+      hit = candidate;
+      best = hit.t;
+      position = i;
       found = true;
     }
+  } context{*this, node, ray, stack, hit, nullptr, t_max, -1, false};
+  if (node.tree < 0) {
+    for (uint32_t i = 0; i < node.children.count; ++i) context.test(i);
+    return context.found;
+  }
+  context.tree = trees[node.tree].get();
+  for (const uint32_t i : context.tree->others) context.test(i);
+  context.tree->bvh.visit_ray(
+      ray, context.best,
+      [](void* data, uint32_t first, uint32_t count, double& limit) {
+        auto& c = *static_cast<Context*>(data);
+        for (uint32_t i = first; i < first + count; ++i) {
+          c.test(c.tree->bounded[c.tree->bvh.items()[i]]);
+        }
+        limit = c.best;
+        return false;
+      },
+      &context);
+  return context.found;
+}
+
+// All members' hits are gathered first; then the nearest that the others let stand is looked for.
+bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay& ray,
+                                    double t_max, HitStack& stack, ShapeHit& hit) const {
+  constexpr size_t kMost = 64;
+  uint32_t member[kMost];
+  Interval interval{kLeastHitDepth, t_max};
+  if (node.surface_is_bounded && !clip_to(node.reach, ray, interval)) return false;
+  const size_t base = stack.size();
+  bool missed = false, overflowed = false;
+  for_each_child_met(node, ray, interval, [&](uint32_t child) {
+    const size_t first = stack.size() - base;
+    missed = !member_hits(node, child, ray, interval, stack);
+    const size_t last = stack.size() - base;
+    overflowed = last > kMost;
+    if (missed || overflowed) return false;
+    for (size_t i = first; i < last; ++i) member[i] = child;
+    return true;
+  });
+  if (overflowed) {
+    stack.shrink(base);
+    all_hits(static_cast<uint32_t>(&node - nodes.data()), ray, {kLeastHitDepth, t_max}, stack);
+  }
+  bool found = false;
+  while (!missed && !found) {
+    // Of equal depths the one pushed last wins.
+    double best = t_max;
+    size_t chosen = 0;
+    for (size_t i = stack.size(); i-- > base;) {
+      if (stack[i].t < best && stack[i].t >= interval.min) {
+        best = stack[i].t;
+        chosen = i;
+        found = true;
+      }
+    }
+    if (!found) break;
+    hit = stack[chosen];
+    found = overflowed || keeps_hit(node, member[chosen - base], ray.origin + best * ray.direction,
+                                    ray.kind);
+    stack[chosen].t = kHugeDepth;
   }
   stack.shrink(base);
   return found;
 }
 
+bool Geometry::closest(uint32_t index, const GeometryRay& ray, double t_max, HitStack& stack,
+                       ShapeHit& hit) const {
+  const GeometryNode& node = nodes[index];
+  if (node.clips.count) {
+    if (node.kind != NodeKind::shape) return closest_of_composite(node, ray, t_max, stack, hit);
+    // A clipped shape: the nearest of what is left of its hits.
+    const size_t base = stack.size();
+    shape_hits(index, ray, stack);
+    bool found = false;
+    for (size_t i = stack.size(); i-- > base;) {
+      if (stack[i].t >= t_max || stack[i].t < kLeastHitDepth) continue;
+      t_max = stack[i].t;
+      hit = stack[i];
+      found = true;
+    }
+    stack.shrink(base);
+    return found;
+  }
+  switch (node.kind) {
+    case NodeKind::shape: {
+      ShapeRay local =
+          shape_ray(ray, node.transform < 0 ? nullptr : &transforms[node.transform]);
+      local.csg_child = node.csg_child;
+      local.t_max = t_max;
+      if (!node.shape->closest(local, stack, hit)) return false;
+      hit.node = index;
+      return true;
+    }
+    case NodeKind::union_: return closest_of_union(node, ray, t_max, stack, hit);
+    case NodeKind::nothing: return false;
+    default: return closest_of_composite(node, ray, t_max, stack, hit);
+  }
+}
+
 void Geometry::finish_node(uint32_t index) {
+  enclose(index);
+  GeometryNode& node = nodes[index];
+  const Vec3 margin = 1e-9 * (glm::abs(node.surface.min) + glm::abs(node.surface.max)) + Vec3(1e-9);
+  node.reach = {node.surface.min - margin, node.surface.max + margin};
+  node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
+                 node.clips.count == 0 && node.bounds.count == 0;
+}
+
+void Geometry::enclose(uint32_t index) {
   GeometryNode& node = nodes[index];
   node.surface = Bounds::everything();
   if (node.kind == NodeKind::shape) {

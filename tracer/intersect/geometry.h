@@ -30,6 +30,7 @@ struct GeometryNode {
   bool written_as_difference = false;
   bool is_opaque = false;       // stops light whatever happens
   bool csg_child = false;
+  bool narrows = false;         // a convex solid: an intersection with it lies within its hits
   bool has_object = true;       // false: a light without looks_like takes no part in inside tests
   // Outside `surface` the node contains all points (true) or none (false); where it is bounded.
   bool contains_outside = false;
@@ -40,6 +41,7 @@ struct GeometryNode {
   NodeRange children, clips, bounds;
   int32_t tree = -1;            // of many children: Geometry::trees
   Bounds surface;               // encloses the surface
+  Bounds reach;                 // `surface` and a hair more: outside of it nothing happens
 };
 
 // The children of a composite, those with bounded surfaces in a hierarchy.
@@ -49,12 +51,28 @@ struct ChildTree {
   std::vector<uint32_t> others;   // child positions that are always asked
 };
 
-struct GeometryRay {
-  Vec3 origin;
-  Vec3 direction;     // parameters are world distances
-  uint8_t kind;       // RayKind bits
-  bool unit = true;   // the direction is of length 1 (not inside instances)
+struct GeometryRay : BvhRay {
+  // Parameters are world distances; `unit`: the direction is of length 1 (not inside instances).
+  GeometryRay(const Vec3& from, const Vec3& along, uint8_t ray_kind, bool is_unit = true)
+      : BvhRay{from, along, 1.0 / along}, kind(ray_kind), unit(is_unit) {}
+
+  uint8_t kind;  // RayKind bits
+  bool unit;
 };
+
+// A ray as a shape sees it; `transform` may be null.
+inline ShapeRay shape_ray(const GeometryRay& ray, const Transform* transform) {
+  ShapeRay local;
+  if (transform) {
+    local.origin = transform->inverse_point(ray.origin);
+    local.direction = transform->inverse_direction(ray.direction);
+  } else {
+    local.origin = ray.origin;
+    local.direction = ray.direction;
+    local.unit_direction = ray.unit;
+  }
+  return local;
+}
 
 class Geometry {
  public:
@@ -68,8 +86,9 @@ class Geometry {
   // (spec/geometry.md 2.1: of equal depths the last pushed wins). No box test, no flags.
   bool closest(uint32_t node, const GeometryRay& ray, double t_max, HitStack& stack,
                ShapeHit& hit) const;
-  // All hits in the order of pushing.
-  void all_hits(uint32_t node, const GeometryRay& ray, HitStack& stack) const;
+  // All hits within the interval, perhaps also others of a lone shape, in the order of pushing.
+  void all_hits(uint32_t node, const GeometryRay& ray, const Interval& wanted,
+                HitStack& stack) const;
   // bounded_by: each bounding object is hit or contains the origin.
   bool passes_bounds(const GeometryNode& node, const GeometryRay& ray, HitStack& stack) const;
   // With the node's clips.
@@ -82,6 +101,16 @@ class Geometry {
  private:
   bool inside_clips(const GeometryNode& node, const Vec3& point) const;
   void shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stack) const;
+  bool closest_of_union(const GeometryNode& node, const GeometryRay& ray, double t_max,
+                        HitStack& stack, ShapeHit& hit) const;
+  bool closest_of_composite(const GeometryNode& node, const GeometryRay& ray, double t_max,
+                            HitStack& stack, ShapeHit& hit) const;
+  bool member_hits(const GeometryNode& node, uint32_t child, const GeometryRay& ray,
+                   Interval& interval, HitStack& stack) const;
+  template <typename Visit>
+  void for_each_child_met(const GeometryNode& node, const GeometryRay& ray,
+                          const Interval& interval, Visit&& visit) const;
+  void enclose(uint32_t node);
   bool keeps_hit(const GeometryNode& node, uint32_t child, const Vec3& point, uint8_t kind) const;
   bool takes_part(const GeometryNode& parent, const GeometryNode& child, uint8_t kind) const;
   bool all_or_none(const GeometryNode& node, const Vec3& point, bool wanted, uint32_t except,

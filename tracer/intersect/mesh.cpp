@@ -233,13 +233,18 @@ class Mesh final : public Shape {
           &context);
       return;
     }
+    struct Context {
+      Visit& visit;
+      const std::vector<uint32_t>& faces;
+    } context{visit, bvh_.items()};
     bvh_.visit_ray(
-        ray.origin, ray.direction, max_depth,
-        [](void* data, uint32_t face, double& limit) {
-          (*static_cast<std::remove_reference_t<Visit>*>(data))(face, false, limit);
+        {ray.origin, ray.direction, 1.0 / ray.direction}, max_depth,
+        [](void* data, uint32_t first, uint32_t count, double& limit) {
+          auto& c = *static_cast<Context*>(data);
+          for (uint32_t i = first; i < first + count; ++i) c.visit(c.faces[i], false, limit);
           return false;
         },
-        &visit);
+        &context);
   }
 
   std::shared_ptr<const ShapeNode> node_;

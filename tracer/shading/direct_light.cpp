@@ -145,8 +145,6 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
     color = RGB(0.0f);
     return;
   }
-  RayClass kind;
-  kind.shadow = true;
   InteriorList interiors = ray.interiors;
   Vec3 origin = point;
   const LightNode& light = scene_.lights[index].node();
@@ -156,8 +154,8 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
     Hit hit;
     // Nothing nearer than the tolerance counts, at either end.
     const Vec3 start = origin + kShadowTolerance * to_light.direction;
-    if (!world.closest_hit(start, to_light.direction, kind,
-                           remaining - margin - kShadowTolerance, hit)) {
+    if (!world.closest_clear_hit(start, to_light.direction,
+                                 remaining - margin - kShadowTolerance, hit)) {
       break;
     }
     const double depth = hit.t + kShadowTolerance;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <new>
 
 #include "tracer/shading/reflectance.h"
 
@@ -123,7 +125,9 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
   float trans = 1;
   bool found_any = false;
   Vec3 top_normal = hit.context.normal;
-  ReflectedLayer reflected[kMostReflections];
+  // Not initialised: most textures reflect nothing.
+  alignas(ReflectedLayer) std::byte storage[kMostReflections * sizeof(ReflectedLayer)];
+  const auto reflected = reinterpret_cast<ReflectedLayer*>(storage);
   int reflected_count = 0;
   const TextureLayer* first_layer = nullptr;
 
@@ -163,8 +167,8 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
         }
         mirror = reflectivity(finish, -dot(ray.direction, normal), relative_ior, pigment.rgb());
         if (!mirror.color.is_black() && reflected_count < kMostReflections) {
-          reflected[reflected_count++] = {&layer, normal, mirror.color,
-                                          ray.weight * trans * mirror.weight};
+          new (&reflected[reflected_count++])
+              ReflectedLayer{&layer, normal, mirror.color, ray.weight * trans * mirror.weight};
         }
       }
       const float opacity =

@@ -66,6 +66,7 @@ class Box final : public Shape {
     return std::make_shared<Box>(transform.point(low_), transform.point(high_));
   }
   bool is_exempt_from_box_test() const override { return true; }
+  bool is_convex_solid() const override { return true; }
 
  private:
 

@@ -61,6 +61,8 @@ class Cone final : public Shape {
              p.z > 1 + margin);
   }
 
+  bool is_convex_solid() const override { return closed_; }
+
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     switch (hit.part) {
       case base: return {0, 0, -1};

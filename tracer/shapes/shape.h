@@ -87,6 +87,9 @@ class Shape {
   // The same shape for `inverse`, if it takes it into itself (plane, quadric).
   virtual std::shared_ptr<const Shape> inverted() const;
 
+  // Convex, and the surface is closed: a line meets it where it enters and where it leaves the
+  // inside, and nowhere else.
+  virtual bool is_convex_solid() const { return false; }
   // No inside, not invertible (spec/geometry.md 13).
   virtual bool is_patch() const { return false; }
   // clipped_by only installs its box (spec/geometry.md 13.6).

@@ -47,8 +47,7 @@ float entry_key(const FloatBox& box, const GeometryRay& ray) {
 
 // Whether the top-level object a is tested before b.
 bool is_tested_first(const ObjectSet& set, uint32_t a, uint32_t b, const GeometryRay& ray) {
-  const bool infinite_a = std::binary_search(set.infinite.begin(), set.infinite.end(), a);
-  const bool infinite_b = std::binary_search(set.infinite.begin(), set.infinite.end(), b);
+  const bool infinite_a = set.is_infinite(a), infinite_b = set.is_infinite(b);
   if (infinite_a != infinite_b) return infinite_a;
   if (!infinite_a) {
     const float key_a = entry_key(set.objects[a].box, ray), key_b = entry_key(set.objects[b].box, ray);
@@ -62,102 +61,143 @@ GeometryRay local_ray(const Instance& instance, const GeometryRay& ray) {
           instance.transform.inverse_direction(ray.direction), ray.kind, false};
 }
 
+// The nearest hit among the objects of one list.
 struct ClosestSearch {
   const WorldData& data;
   const ObjectSet& set;
-  GeometryRay ray;
+  const SearchList& list;
+  const GeometryRay& ray;
   HitStack& stack;
   double best;
   ShapeHit hit{};
   int64_t top = -1;
   uint32_t instance = 0;
+  ShapeRay straight = shape_ray(ray, nullptr);  // for shapes without a transform
 
   void run() {
-    for (const uint32_t i : set.infinite) test(i);
-    set.bvh.visit_ray(
-        ray.origin, ray.direction, best,
-        [](void* context, uint32_t item, double& limit) {
+    for (const SearchItem& item : list.infinite) test(item);
+    list.bvh.visit_ray(
+        ray, best,
+        [](void* context, uint32_t first, uint32_t count, double& limit) {
           auto& search = *static_cast<ClosestSearch*>(context);
-          search.test(search.set.finite[item]);
+          const SearchItem* item = search.list.finite.data() + first;
+          for (const SearchItem* end = item + count; item < end; ++item) search.test(*item);
           limit = search.best;
           return false;
         },
         this);
   }
 
-  void test(uint32_t index) {
-    const TopLevelObject& object = set.objects[index];
-    if (object.hidden & ray.kind) return;
+  void test(const SearchItem& item) {
+    if (item.hidden & ray.kind) return;
     // At equal depths the object that is tested first counts.
     const double limit = top < 0 ? best : just_beyond(best);
     ShapeHit candidate;
-    if (object.instance >= 0) {
-      const Instance& copy = data.instances[object.instance];
-      ClosestSearch inner{data, data.groups[copy.group]->set, local_ray(copy, ray), stack, limit};
-      inner.run();
-      if (inner.top < 0) return;
-      candidate = inner.hit;
-    } else {
-      if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return;
-      const GeometryNode& node = data.geometry.nodes[object.node];
-      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return;
-      if (!data.geometry.closest(object.node, ray, limit, stack, candidate)) return;
+    uint32_t copy = 0;
+    if (item.shape) {
+      if (!meets_shape(item, limit, candidate)) return;
+    } else if (!meets_other(set.objects[item.object], limit, candidate, copy)) {
+      return;
     }
     if (candidate.t == best && top >= 0 &&
-        !is_tested_first(set, index, static_cast<uint32_t>(top), ray)) {
+        !is_tested_first(set, item.object, static_cast<uint32_t>(top), ray)) {
       return;
     }
     hit = candidate;
     best = candidate.t;
-    top = index;
-    instance = static_cast<uint32_t>(object.instance + 1);
+    top = item.object;
+    instance = copy;
   }
-};
 
-struct OcclusionSearch {
-  const WorldData& data;
-  const ObjectSet& set;
-  GeometryRay ray;
-  HitStack& stack;
-  double max_t;
-
-  bool run() {
-    if (set.opaque.size() != set.objects.size()) return false;
-    for (const uint32_t i : set.infinite) {
-      if (blocks(i)) return true;
+  bool meets_shape(const SearchItem& item, double limit, ShapeHit& candidate) {
+    bool met;
+    if (item.transform < 0) {
+      straight.t_max = limit;
+      met = item.shape->closest(straight, stack, candidate);
+    } else {
+      ShapeRay local = shape_ray(ray, &data.geometry.transforms[item.transform]);
+      local.t_max = limit;
+      met = item.shape->closest(local, stack, candidate);
     }
-    struct Context {
-      OcclusionSearch& search;
-      bool blocked;
-    } context{*this, false};
-    set.bvh.visit_ray(
-        ray.origin, ray.direction, max_t,
-        [](void* pointer, uint32_t item, double&) {
-          auto& c = *static_cast<Context*>(pointer);
-          c.blocked = c.search.blocks(c.search.set.finite[item]);
-          return c.blocked;
-        },
-        &context);
-    return context.blocked;
+    if (met) candidate.node = set.objects[item.object].node;
+    return met;
   }
 
-  bool blocks(uint32_t index) {
-    const TopLevelObject& object = set.objects[index];
-    if (!set.opaque[index] || (object.hidden & kShadowRay)) return false;
+  bool meets_other(const TopLevelObject& object, double limit, ShapeHit& candidate,
+                   uint32_t& copy) {
     if (object.instance >= 0) {
-      const Instance& copy = data.instances[object.instance];
-      return OcclusionSearch{data, data.groups[copy.group]->set, local_ray(copy, ray), stack, max_t}
-          .run();
+      const Instance& instanced = data.instances[object.instance];
+      const ObjectSet& inner_set = data.groups[instanced.group]->set;
+      const SearchList& inner_list =
+          &list == set.clear.get() ? inner_set.clear_casters() : inner_set.all;
+      const GeometryRay inner_ray = local_ray(instanced, ray);
+      ClosestSearch inner{data, inner_set, inner_list, inner_ray, stack, limit};
+      inner.run();
+      if (inner.top < 0) return false;
+      candidate = inner.hit;
+      copy = static_cast<uint32_t>(object.instance + 1);
+      return true;
     }
     if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return false;
     const GeometryNode& node = data.geometry.nodes[object.node];
     if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
+    return data.geometry.closest(object.node, ray, limit, stack, candidate);
+  }
+};
+
+// Whether any opaque object lies on a shadow ray's way.
+struct OcclusionSearch {
+  const WorldData& data;
+  const ObjectSet& set;
+  const GeometryRay& ray;
+  HitStack& stack;
+  double max_t;
+  ShapeRay straight = shape_ray(ray, nullptr);
+  bool blocked = false;
+
+  bool run() {
+    const SearchList& list = set.opaque_casters();
+    straight.t_max = max_t;
+    for (const SearchItem& item : list.infinite) {
+      if (blocks(item)) return true;
+    }
+    list.bvh.visit_ray(
+        ray, max_t,
+        [](void* context, uint32_t first, uint32_t count, double&) {
+          auto& search = *static_cast<OcclusionSearch*>(context);
+          const SearchItem* item = search.set.opaque_casters().finite.data() + first;
+          for (const SearchItem* end = item + count; item < end; ++item) {
+            if (search.blocks(*item)) return search.blocked = true;
+          }
+          return false;
+        },
+        this);
+    return blocked;
+  }
+
+  bool blocks(const SearchItem& item) {
+    const TopLevelObject& object = set.objects[item.object];
     ShapeHit hit;
-    if (!data.geometry.closest(object.node, ray, max_t, stack, hit)) return false;
+    if (item.shape) {
+      const bool met =
+          item.transform < 0
+              ? item.shape->closest(straight, stack, hit)
+              : closest_moved(*item.shape, data.geometry.transforms[item.transform], hit);
+      if (!met) return false;
+    } else if (object.instance >= 0) {
+      const Instance& copy = data.instances[object.instance];
+      const GeometryRay inner_ray = local_ray(copy, ray);
+      return OcclusionSearch{data, data.groups[copy.group]->set, inner_ray, stack, max_t}.run();
+    } else {
+      if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return false;
+      const GeometryNode& node = data.geometry.nodes[object.node];
+      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
+      if (!data.geometry.closest(object.node, ray, max_t, stack, hit)) return false;
+    }
     if (hit.t > kLeastShadowDepth) return true;
     // The nearest one is too near to count: look at all.
     const size_t base = stack.size();
-    data.geometry.all_hits(object.node, ray, stack);
+    data.geometry.all_hits(object.node, ray, {0, max_t}, stack);
     bool found = false;
     for (size_t i = base; i < stack.size(); ++i) {
       found |= stack[i].t > kLeastShadowDepth && stack[i].t < max_t;
@@ -165,7 +205,24 @@ struct OcclusionSearch {
     stack.shrink(base);
     return found;
   }
+
+  bool closest_moved(const Shape& shape, const Transform& transform, ShapeHit& hit) {
+    ShapeRay local = shape_ray(ray, &transform);
+    local.t_max = max_t;
+    return shape.closest(local, stack, hit);
+  }
 };
+
+bool found(const ClosestSearch& search, Hit& hit) {
+  if (search.top < 0) return false;
+  hit.t = search.hit.t;
+  hit.item = search.hit.node;
+  hit.part = search.hit.part;
+  hit.instance = search.instance;
+  hit.barycentric_u = search.hit.u;
+  hit.barycentric_v = search.hit.v;
+  return true;
+}
 
 }  // namespace
 
@@ -199,17 +256,22 @@ std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& opti
 bool World::closest_hit(const Vec3& origin, const Vec3& unit_direction, const RayClass& kind,
                         double max_t, Hit& hit) const {
   const WorldData& data = impl_->data;
-  ClosestSearch search{data, data.scene, {origin, unit_direction, kind_bits(kind)}, scratch(),
-                       max_t};
+  const GeometryRay ray(origin, unit_direction, kind_bits(kind));
+  const ObjectSet& set = data.scene;
+  ClosestSearch search{data, set, set.all, ray, scratch(), max_t};
   search.run();
-  if (search.top < 0) return false;
-  hit.t = search.hit.t;
-  hit.item = search.hit.node;
-  hit.part = search.hit.part;
-  hit.instance = search.instance;
-  hit.barycentric_u = search.hit.u;
-  hit.barycentric_v = search.hit.v;
-  return true;
+  return found(search, hit);
+}
+
+bool World::closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
+                              Hit& hit) const {
+  const WorldData& data = impl_->data;
+  const ObjectSet& set = data.scene;
+  if (set.clear_casters().is_empty()) return false;
+  const GeometryRay ray(origin, unit_direction, kShadowRay);
+  ClosestSearch search{data, set, set.clear_casters(), ray, scratch(), max_t};
+  search.run();
+  return found(search, hit);
 }
 
 void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
@@ -325,16 +387,29 @@ bool World::Impl::is_opaque_object(uint32_t index) const {
   return true;
 }
 
+// Sorts the casters of shadows into opaque and clear ones; the members of copies answer for
+// themselves.
 void World::Impl::mark_opaque(ObjectSet& set) const {
-  set.opaque.clear();
-  for (const TopLevelObject& top : set.objects) {
-    if (top.instance < 0) {
-      set.opaque.push_back(is_opaque_object(top.node));
-    } else {
-      // Its members answer for themselves.
-      set.opaque.push_back(1);
+  const auto casts = [&](uint32_t i, bool opaque) {
+    const TopLevelObject& top = set.objects[i];
+    if (top.hidden & kShadowRay) return false;
+    if (top.instance >= 0) {
+      const ObjectSet& inner = data.groups[data.instances[top.instance].group]->set;
+      return !(opaque ? inner.opaque_casters() : inner.clear_casters()).is_empty();
     }
-  }
+    return is_opaque_object(top.node) == opaque;
+  };
+  const auto list = [&](bool opaque, std::unique_ptr<SearchList>& casters) {
+    casters.reset();
+    const auto wanted = [&](uint32_t i) { return casts(i, opaque); };
+    bool all = true;
+    for (uint32_t i = 0; i < set.objects.size() && all; ++i) all = wanted(i);
+    if (all) return;
+    casters = std::make_unique<SearchList>();
+    fill_search_list(data.geometry, set, wanted, *casters);
+  };
+  list(true, set.opaque);
+  list(false, set.clear);
 }
 
 void World::set_opaque_textures(std::vector<bool> opaque) {
@@ -346,8 +421,8 @@ void World::set_opaque_textures(std::vector<bool> opaque) {
 bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction,
                                double max_t) const {
   const WorldData& data = impl_->data;
-  return OcclusionSearch{data, data.scene, {origin, unit_direction, kShadowRay}, scratch(), max_t}
-      .run();
+  const GeometryRay ray(origin, unit_direction, kShadowRay);
+  return OcclusionSearch{data, data.scene, ray, scratch(), max_t}.run();
 }
 
 bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,
@@ -356,8 +431,8 @@ bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& 
   const int64_t node = data.projected[light];
   if (node < 0) return false;
   ShapeHit hit;
-  if (!data.geometry.closest(static_cast<uint32_t>(node), {origin, unit_direction, kShadowRay},
-                             kHugeDepth, scratch(), hit)) {
+  const GeometryRay ray(origin, unit_direction, kShadowRay);
+  if (!data.geometry.closest(static_cast<uint32_t>(node), ray, kHugeDepth, scratch(), hit)) {
     return false;
   }
   t = hit.t;
@@ -392,6 +467,6 @@ const std::vector<TexturePtr>& World::textures() const { return impl_->data.text
 const std::vector<WorldInterior>& World::interiors() const { return impl_->data.interiors; }
 const std::vector<WorldLight>& World::lights() const { return impl_->data.lights; }
 const std::vector<LightGroup>& World::light_groups() const { return impl_->data.light_groups; }
-Bounds World::bounds() const { return impl_->data.scene.bvh.bounds(); }
+Bounds World::bounds() const { return impl_->data.scene.all.bvh.bounds(); }
 
 }  // namespace durer

@@ -102,8 +102,11 @@ class World {
   void surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
                      SurfacePoint& out) const;
   // True if an object whose textures are all opaque (see set_opaque_textures) and which casts
-  // shadows lies at 1e-3 < t < max_t. Objects that let light through are left to closest_hit.
+  // shadows lies at 1e-3 < t < max_t. Objects that let light through: closest_clear_hit.
   bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t) const;
+  // The nearest hit, 1e-4 <= t < max_t, of a shadow ray with the objects that are left out above.
+  bool closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
+                         Hit& hit) const;
   // The nearest hit with one object of projected_objects().
   bool closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,
                                 double& t) const;

@@ -143,7 +143,7 @@ void WorldBuilder::add_instance(const ResolvedObject& copy) {
     data_.objects.push_back(std::move(object));
   }
   TopLevelObject top;
-  top.box = FloatBox::from(instance.transform.bounds(group.set.bvh.bounds()));
+  top.box = FloatBox::from(instance.transform.bounds(group.set.all.bvh.bounds()));
   top.instance = static_cast<int32_t>(data_.instances.size());
   data_.instances.push_back(std::move(instance));
   set_->objects.push_back(top);
@@ -445,28 +445,48 @@ void WorldBuilder::finish() {
 }
 
 void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
-  std::vector<Bounds> boxes;
-  for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    TopLevelObject& top = set.objects[i];
-    Bounds box = top.box.to_bounds();
-    bool is_infinite = top.box.is_infinite();
+  for (TopLevelObject& top : set.objects) {
+    Bounds box = top.box.is_infinite() ? Bounds::everything() : top.box.to_bounds();
     if (top.instance < 0) {
       const GeometryNode& node = data_.geometry.nodes[top.node];
       if (!uses_bounding && node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test()) {
-        box = node.surface;
-        is_infinite = !node.surface_is_bounded;
-      } else if (!is_infinite) {
+        box = node.surface_is_bounded ? node.surface : Bounds::everything();
+      } else if (!top.box.is_infinite()) {
         top.is_cut_off = !node.surface_is_bounded || !encloses(box, node.surface);
       }
     }
-    if (is_infinite || !box.is_bounded()) {
-      set.infinite.push_back(i);
-    } else if (!box.is_empty()) {
-      set.finite.push_back(i);
-      boxes.push_back(box);
+    set.boxes.push_back(box);
+  }
+  fill_search_list(data_.geometry, set, [](uint32_t) { return true; }, set.all);
+}
+
+void fill_search_list(const Geometry& geometry, const ObjectSet& set,
+                      const std::function<bool(uint32_t)>& wanted, SearchList& list) {
+  std::vector<Bounds> boxes;
+  std::vector<SearchItem> bounded;
+  for (uint32_t i = 0; i < set.objects.size(); ++i) {
+    if (set.boxes[i].is_empty() || !wanted(i)) continue;
+    const TopLevelObject& top = set.objects[i];
+    SearchItem item;
+    item.object = i;
+    item.hidden = top.hidden;
+    if (top.instance < 0) {
+      const GeometryNode& node = geometry.nodes[top.node];
+      if (node.kind == NodeKind::shape && !node.clips.count && !node.bounds.count &&
+          !top.is_cut_off) {
+        item.shape = node.shape;
+        item.transform = node.transform;
+      }
+    }
+    if (set.is_infinite(i)) {
+      list.infinite.push_back(item);
+    } else {
+      bounded.push_back(item);
+      boxes.push_back(set.boxes[i]);
     }
   }
-  set.bvh.build(boxes);
+  list.bvh.build(boxes);
+  for (const uint32_t i : list.bvh.items()) list.finite.push_back(bounded[i]);
 }
 
 }  // namespace durer

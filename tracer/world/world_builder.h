@@ -1,6 +1,7 @@
 // Scene -> flat arrays: inheritance, union splitting, lights (spec/geometry.md 2.4, 5).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -21,13 +22,35 @@ struct TopLevelObject {
   bool is_cut_off = false;  // what lies outside of the box is not seen (geometry.md 2.2)
 };
 
+// An object as the walks meet it.
+struct SearchItem {
+  const Shape* shape = nullptr;  // of a lone shape, without clips and bounds; null: ask the node
+  int32_t transform = -1;        // of that shape, in Geometry::transforms
+  uint32_t object = 0;           // position in ObjectSet::objects
+  uint8_t hidden = 0;            // RayKind bits
+};
+
+// Some of the objects of a set, made ready for rays.
+struct SearchList {
+  std::vector<SearchItem> infinite;  // by declaration
+  std::vector<SearchItem> finite;    // in the order of the hierarchy's leaves
+  Bvh bvh;
+
+  bool is_empty() const { return infinite.empty() && finite.empty(); }
+};
+
 // What a ray looks through at one level: the scene, or a shared object.
 struct ObjectSet {
   std::vector<TopLevelObject> objects;
-  std::vector<uint32_t> infinite;  // positions in `objects`, by declaration
-  std::vector<uint32_t> finite;
-  Bvh bvh;                      // over `finite`
-  std::vector<uint8_t> opaque;  // by position, once textures are known
+  std::vector<Bounds> boxes;     // by position; empty: never met; unbounded: met everywhere
+  SearchList all;
+  // Those that cast shadows, once textures are known: opaque ones, and others. Copies of shared
+  // objects may be in both. Null: `all`.
+  std::unique_ptr<SearchList> opaque, clear;
+
+  bool is_infinite(uint32_t object) const { return !boxes[object].is_bounded(); }
+  const SearchList& opaque_casters() const { return opaque ? *opaque : all; }
+  const SearchList& clear_casters() const { return clear ? *clear : all; }
 };
 
 // A declared object that many copies share, in its own space.
@@ -63,6 +86,10 @@ struct WorldData {
   std::vector<int64_t> projected;  // node of each light's projected_through, -1: none
   TextureTable textures;
 };
+
+// Lists the objects of a set that `wanted` says yes to.
+void fill_search_list(const Geometry& geometry, const ObjectSet& set,
+                      const std::function<bool(uint32_t)>& wanted, SearchList& list);
 
 class WorldBuilder {
  public:
