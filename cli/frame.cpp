@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "cli/interrupt.h"
+#include "cli/method_comparison.h"
 #include "cli/output_name.h"
 #include "cli/picture_file.h"
 #include "cli/progress.h"
@@ -98,6 +99,30 @@ std::string state_identity(const Options& options, const FrameSettings& frame) {
   return text;
 }
 
+// The scene made ready for one camera.
+struct PreparedView {
+  PreparedView(const Scene& from, const CameraNode& node, const Options& options)
+      : PreparedView(from, node, options, {options.render.quality, options.output_alpha}) {}
+
+  ShadingScene scene;
+  Camera camera;
+
+ private:
+  PreparedView(const Scene& from, const CameraNode& node, const Options& options,
+               const ShadingOptions& shading)
+      : scene(from,
+              World::build(from, {options.bounding_threshold, options.remove_bounds,
+                                  options.split_unions}),
+              shading),
+        camera(node, options.render.width, options.render.height,
+               WorldPatternServices(texture_settings(from, shading), from.settings).settings()) {}
+};
+
+WhittedIntegrator make_integrator(const ShadingScene& scene, IntegratorKind kind) {
+  return {scene, kind == IntegratorKind::raycast ? WhittedIntegrator::Depth::raycast
+                                                 : WhittedIntegrator::Depth::recursive};
+}
+
 class FrameRenderer {
  public:
   FrameRenderer(const Options& options, const FrameSettings& frame, Console& console,
@@ -111,6 +136,7 @@ class FrameRenderer {
       report_reading();
       return FrameOutcome::done;
     }
+    if (options_.compare_methods) return compare_methods();
     if (!options_.clockless_animation || scene_->cameras.size() < 2) {
       return render_camera(*scene_->camera, frame_.suffix);
     }
@@ -193,17 +219,9 @@ class FrameRenderer {
       check_output(path);
     }
 
-    std::unique_ptr<World> world = World::build(
-        *scene_, {options_.bounding_threshold, options_.remove_bounds, options_.split_unions});
-    statistics_.lights = world->lights().size();
-    const ShadingOptions shading{options_.render.quality, options_.output_alpha};
-    const ShadingScene scene(*scene_, std::move(world), shading);
-    const WorldPatternServices services(texture_settings(*scene_, shading), scene_->settings);
-    const Camera camera(camera_node, options_.render.width, options_.render.height,
-                        services.settings());
-    const WhittedIntegrator integrator(scene, options_.render.integrator == IntegratorKind::raycast
-                                                  ? WhittedIntegrator::Depth::raycast
-                                                  : WhittedIntegrator::Depth::recursive);
+    const PreparedView view(*scene_, camera_node, options_);
+    const WhittedIntegrator integrator = make_integrator(view.scene, options_.render.integrator);
+    statistics_.lights = view.scene.world->lights().size();
     statistics_.build_seconds = watch.lap();
 
     try {
@@ -215,7 +233,8 @@ class FrameRenderer {
         // No old picture stays under the name of one that is not finished.
         std::remove(path.c_str());
       }
-      if (!render_blocks(scene, camera, integrator, path, state ? &*state : nullptr, *picture)) {
+      if (!render_blocks(view, integrator, options_.render, path, state ? &*state : nullptr,
+                         *picture)) {
         return FrameOutcome::stopped;
       }
       statistics_.render_seconds = watch.lap();
@@ -233,11 +252,51 @@ class FrameRenderer {
     return FrameOutcome::done;
   }
 
+  // The whole picture by every method, on one sheet.
+  FrameOutcome compare_methods() {
+    Stopwatch watch;
+    const std::string path =
+        output_path(options_.input_file, options_.output_name, options_.file_type,
+                    options_.output_name.empty() ? "-methods" : frame_.suffix);
+    check_output(path);
+    const PreparedView view(*scene_, *scene_->camera, options_);
+    statistics_.lights = view.scene.world->lights().size();
+    statistics_.build_seconds = watch.lap();
+
+    std::vector<MethodResult> results;
+    for (const Method& method : compared_methods(options_.render.grid_samples)) {
+      RenderOptions render = options_.render;
+      render.window = {0, 0, render.width, render.height};
+      render.integrator = method.integrator;
+      render.supersampling = method.supersampling;
+      Framebuffer picture(render.width, render.height);
+      const WhittedIntegrator integrator = make_integrator(view.scene, method.integrator);
+      const double cpu_before = process_cpu_seconds();
+      if (!render_blocks(view, integrator, render, path, nullptr, picture)) {
+        return FrameOutcome::stopped;
+      }
+      results.push_back({method, std::move(picture), statistics_.render,
+                         process_cpu_seconds() - cpu_before});
+      statistics_.method = method.name;
+      statistics_.render_seconds = watch.lap();
+      statistics_.output = path;
+      run_.frames.push_back(statistics_);
+    }
+    try {
+      write_picture(path, method_sheet(results), options_, *scene_);
+    } catch (const std::runtime_error& error) {
+      fail(error.what());
+    }
+    for (const std::string& line : method_table(results)) console_.line(Stream::render, line);
+    console_.line(Stream::render, "Picture: " + path);
+    return FrameOutcome::done;
+  }
+
   // False: stopped by a signal.
-  bool render_blocks(const ShadingScene& scene, const Camera& camera,
-                     const Integrator& integrator, const std::string& path, StateFile* state,
+  bool render_blocks(const PreparedView& view, const Integrator& integrator,
+                     const RenderOptions& options, const std::string& path, StateFile* state,
                      Picture& picture) {
-    const PixelWindow& window = options_.render.window;
+    const PixelWindow& window = options.window;
     const int64_t pixels = static_cast<int64_t>(std::max(window.width(), 0)) *
                            std::max(window.height(), 0);
     Progress progress(console_, pixels, options_.verbose);
@@ -245,14 +304,14 @@ class FrameRenderer {
       console_.line(Stream::warning, "durer: warning: " + text);
     });
     if (options_.preview_interval > 0 && state) {
-      watch.preview(picture, options_.render.block_size, options_.preview_interval,
+      watch.preview(picture, options.block_size, options_.preview_interval,
                     [&](const Picture& finished) {
                       write_picture(path, finished, options_, *scene_);
                     });
     }
     begin_stoppable();
-    statistics_.render =
-        durer::render(scene, camera, integrator, options_.render, picture, watch, stop_requested());
+    statistics_.render = durer::render(view.scene, view.camera, integrator, options, picture,
+                                       watch, stop_requested());
     end_stoppable();
     progress.finish();
     if (!stop_requested()) return true;

@@ -76,6 +76,7 @@ std::string help_text() {
       "  durer scene.pov +W1920 +H1080 +A0.1    larger, antialiased\n"
       "  durer scene.pov -O- > picture.png      to standard output\n"
       "  durer --parse-only scene.pov           only look for mistakes\n"
+      "  durer compare-methods scene.pov        every method side by side: scene-methods.png\n"
       "  durer scene.ini[final]                 settings from a section of an INI file\n"
       "\n"
       "Settings come from povray.ini ($POVINI, ./povray.ini, ~/.povray/3.7/povray.ini,\n"

@@ -48,6 +48,7 @@ struct Options {
 
   // what to render
   bool parse_only = false;
+  bool compare_methods = false;  // durer compare-methods
   RenderOptions render;
   bool clock_given = false;
   double clock = 0;

@@ -223,11 +223,13 @@ int run(const std::vector<std::string>& arguments) {
   OptionValues values;
   OptionReader reader(values);
   Options options;
+  const bool compare_methods = !arguments.empty() && arguments.front() == "compare-methods";
   try {
     reader.read_main_ini();
-    reader.read_arguments(arguments);
+    reader.read_arguments({arguments.begin() + (compare_methods ? 1 : 0), arguments.end()});
     reader.add_library_paths_of_the_system();
     options = resolve_options(values);
+    options.compare_methods = compare_methods;
   } catch (const OptionError& error) {
     complain(error.what());
     return kFailure;

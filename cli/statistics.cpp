@@ -33,6 +33,7 @@ std::string json_number(double value) {
 std::string frame_json(const FrameStatistics& frame) {
   const RayCounts& rays = frame.render.rays;
   std::string out = "    {\"frame\": " + std::to_string(frame.frame);
+  if (!frame.method.empty()) out += ", \"method\": " + json_string(frame.method);
   out += ", \"output\": " + json_string(frame.output);
   out += ", \"warnings\": " + std::to_string(frame.warnings);
   out += ", \"objects\": " + std::to_string(frame.objects);
@@ -50,14 +51,13 @@ std::string frame_json(const FrameStatistics& frame) {
   return out;
 }
 
-// 1234567 as 1 234 567.
+}  // namespace
+
 std::string grouped(uint64_t n) {
   std::string digits = std::to_string(n);
   for (size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ' ');
   return digits;
 }
-
-}  // namespace
 
 double process_cpu_seconds() {
   rusage usage{};

@@ -11,6 +11,7 @@ namespace durer {
 
 struct FrameStatistics {
   int frame = 0;
+  std::string method;  // of compare-methods; empty: one picture by the method of the options
   std::string output;  // empty: none written
   int warnings = 0;
   size_t objects = 0, lights = 0;
@@ -28,6 +29,8 @@ struct RunStatistics {
 std::string statistics_json(const RunStatistics& run);
 // For people: two lines about one frame.
 std::string statistics_text(const FrameStatistics& frame);
+// 1234567 as 1 234 567.
+std::string grouped(uint64_t n);
 double process_cpu_seconds();
 long process_peak_kilobytes();
 

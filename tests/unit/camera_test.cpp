@@ -55,7 +55,9 @@ TEST(Camera, LensRaysMeetInTheFocalPlane) {
   ASSERT_TRUE(camera.generate_lens_ray(20, 70, {0, 0.4}, below));
   EXPECT_NEAR(left.origin.x, 1 - 0.4 * 0.25, 1e-12);
   EXPECT_NEAR(below.origin.y, 2 - 0.4 * 0.25, 1e-12);
-  const auto in_focus = [](const Ray& ray) { return ray.at((10 - ray.origin.z) / ray.direction.z); };
+  const auto in_focus = [](const Ray& ray) {
+    return ray.at((10 - ray.origin.z) / ray.direction.z);
+  };
   EXPECT_NEAR(length(in_focus(left) - in_focus(straight)), 0, 1e-12);
   EXPECT_NEAR(length(in_focus(below) - in_focus(straight)), 0, 1e-12);
 }

@@ -35,8 +35,11 @@ TEST(Lens, FillsTheGapsOfTheGridFromTheHaltonSequence) {
   ASSERT_EQ(five.points.size(), 5u);
   EXPECT_NEAR(five.points[4].x, -0.176777, 1e-6);
   EXPECT_NEAR(five.points[4].y, 0.306186, 1e-6);
-  const double expected[5][2] = {{-0.176777, 0.306186}, {0.331707, 0.278335}, {0.068640, -0.389279},
-                                 {0.053169, 0.301535},  {-0.439501, -0.159965}};
+  const double expected[5][2] = {{-0.176777, 0.306186},
+                                 {0.331707, 0.278335},
+                                 {0.068640, -0.389279},
+                                 {0.053169, 0.301535},
+                                 {-0.439501, -0.159965}};
   const LensPattern twelve = round_lens(12);
   ASSERT_EQ(twelve.points.size(), 12u);
   for (int i = 0; i < 5; ++i) {
@@ -54,8 +57,7 @@ TEST(Lens, KeepsAllPointsWithinTheLens) {
 }
 
 TEST(Lens, DrawsPointsOnlyWhereTheBokehIsBright) {
-  const LensPattern lens =
-      shaped_lens(100, [](const Vec2& p) { return p.x > 0.75 ? 1.0 : 0.0; });
+  const LensPattern lens = shaped_lens(100, [](const Vec2& p) { return p.x > 0.75 ? 1.0 : 0.0; });
   ASSERT_EQ(lens.points.size(), 100u);
   int right = 0;
   for (const Vec2& p : lens.points) right += p.x > 0.25;

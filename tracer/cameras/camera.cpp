@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kEpsilon = 1e-10;
 
-double radians(double degrees) { return degrees * (M_PI / 180); }
+double radians(double degrees) {
+  return degrees * (M_PI / 180);
+}
 
 // The angle of (x, y) on a circle of radius r, in [-pi/2, 3pi/2].
 double polar_angle(double x, double y, double r) {
@@ -51,7 +53,9 @@ bool Camera::looks_around_each_origin() const {
   }
 }
 
-int Camera::rays_per_pixel() const { return mesh_ ? node_.rays_per_pixel : 1; }
+int Camera::rays_per_pixel() const {
+  return mesh_ ? node_.rays_per_pixel : 1;
+}
 
 bool Camera::generate_ray(double x, double y, int ray_of_pixel, Ray& ray) const {
   View view;
@@ -66,8 +70,7 @@ bool Camera::generate_lens_ray(double x, double y, const Vec2& lens, Ray& ray) c
   // The ray through the centre of the lens meets this one in the focal plane. Cameras whose rays
   // start side by side lose that.
   const Vec3 offset = lens.x * lens_right_ - lens.y * lens_up_;
-  ray = {node_.location + offset,
-         finished_direction(focus_ * view.direction - offset, view.place)};
+  ray = {node_.location + offset, finished_direction(focus_ * view.direction - offset, view.place)};
   return true;
 }
 

@@ -15,8 +15,8 @@ class Camera {
   // `textures` is used here only: it compiles the camera's normal.
   Camera(const CameraNode& node, int width, int height, const TextureSettings& textures);
 
-  // x, y in pixels, (0.5, 0.5) the centre of the top left one; not clipped to the picture. False: no
-  // ray here (outside a round image, beside a mesh). `ray_of_pixel`: which of rays_per_pixel().
+  // x, y in pixels, (0.5, 0.5) the centre of the top left one; not clipped to the picture. False:
+  // no ray here (outside a round image, beside a mesh). `ray_of_pixel`: which of rays_per_pixel().
   bool generate_ray(double x, double y, int ray_of_pixel, Ray& ray) const;
   // The same through a point of the lens, given in radii of the aperture, x to the right, y down.
   bool generate_lens_ray(double x, double y, const Vec2& lens, Ray& ray) const;

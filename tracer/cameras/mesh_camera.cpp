@@ -76,8 +76,7 @@ void MeshCamera::sort_faces_by_uv() {
     Vec2 corner[3];
     if (!uv_corners(mesh, face, corner)) continue;
     const auto cell_range = [&](int axis, int& first, int& last) {
-      const auto [least, most] =
-          std::minmax({corner[0][axis], corner[1][axis], corner[2][axis]});
+      const auto [least, most] = std::minmax({corner[0][axis], corner[1][axis], corner[2][axis]});
       first = static_cast<int>(std::clamp(least * kCells, 0.0, 1.0 * kCells));
       last = static_cast<int>(std::clamp(most * kCells, -1.0, kCells - 1.0));
     };
@@ -113,8 +112,7 @@ bool MeshCamera::generate_ray(double x, double y, int ray_of_pixel, Ray& ray) co
       const size_t count = meshes_.size();
       const double strip = static_cast<double>(width_) / static_cast<double>(count);
       const size_t mesh = std::min(static_cast<size_t>(px / strip), count - 1);
-      return ray_of_face(meshes_[mesh], row * (width_ / static_cast<int64_t>(count)) + column,
-                         ray);
+      return ray_of_face(meshes_[mesh], row * (width_ / static_cast<int64_t>(count)) + column, ray);
     }
     default:
       return ray_of_texture_place((px - 0.5) / width_, 1 - (py + 0.5) / height_, ray);
@@ -157,8 +155,7 @@ Ray MeshCamera::finished_ray(const PlacedMesh& placed, const Vec3& origin,
                              const Vec3& normal) const {
   const Vec3 start = origin + offset_ * normal;
   const Vec3 direction = reversed_ ? -normal : normal;
-  return {placed.placement.point(start),
-          normalize_or_zero(placed.placement.normal(direction))};
+  return {placed.placement.point(start), normalize_or_zero(placed.placement.normal(direction))};
 }
 
 }  // namespace durer

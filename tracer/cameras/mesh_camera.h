@@ -18,7 +18,8 @@ class MeshCamera {
   // `node` must be of kind mesh. Only the z components of its location and direction matter.
   MeshCamera(const CameraNode& node, int width, int height);
 
-  // x, y in pixels, (0.5, 0.5) the centre of the top left one. False: no face belongs to this place.
+  // x, y in pixels, (0.5, 0.5) the centre of the top left one. False: no face belongs to this
+  // place.
   bool generate_ray(double x, double y, int ray_of_pixel, Ray& ray) const;
 
  private:

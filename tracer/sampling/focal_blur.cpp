@@ -59,7 +59,8 @@ bool FocalBlur::Sum::spread_below(double threshold) const {
 
 PixelColor FocalBlur::Sum::mean() const {
   const double share = 1.0 / count;
-  return {{(float)(value[0] * share), (float)(value[1] * share), (float)(value[2] * share)}, (float)(value[3] * share)};
+  return {{(float)(value[0] * share), (float)(value[1] * share), (float)(value[2] * share)},
+          (float)(value[3] * share)};
 }
 
 }  // namespace durer

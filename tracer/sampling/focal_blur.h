@@ -1,5 +1,5 @@
-// Focal blur: a picture's sample is the mean of rays through many points of the lens, as many as its
-// spread asks for (spec/shading.md 4).
+// Focal blur: a picture's sample is the mean of rays through many points of the lens, as many as
+// its spread asks for (spec/shading.md 4).
 #pragma once
 
 #include <vector>

@@ -18,17 +18,6 @@ struct RayCounts {
   uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0, total_internal = 0;
 };
 
-// Indirect light that plugs into shading; the null implementations answer "none".
-class IndirectLight {
- public:
-  virtual ~IndirectLight() = default;
-  // Irradiance/pi at a point of a surface facing `normal` (gi/radiosity_cache).
-  virtual bool ambient_radiance(const SurfacePoint&, const Vec3& /*normal*/, float /*weight*/,
-                                RGB&) const {
-    return false;
-  }
-};
-
 class Integrator {
  public:
   virtual ~Integrator() = default;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "tracer/math/vector.h"
 #include "tracer/shading/interior_list.h"
@@ -17,6 +18,32 @@ struct SpectralBand {
   bool is_monochromatic() const { return width > 0; }
 };
 
+// Why a ray flies; RayClass beside it decides what it sees.
+enum class RayKind : uint8_t { primary, reflected, refracted, shadow, photon, cache };
+
+// What happened on a path so far, in Heckbert's notation: E at the eye, S at mirrors and glass, D where
+// a surface scatters, L at a light. Keeps the first 32 events.
+class PathEvents {
+ public:
+  enum class Event : uint8_t { eye, specular, diffuse, light };
+
+  PathEvents() { append(Event::eye); }
+  void append(Event event) {
+    if (count_ < kMost) events_ |= static_cast<uint64_t>(event) << (2 * count_++);
+  }
+  std::string text() const {
+    std::string letters;
+    for (int i = 0; i < count_; ++i) letters += "ESDL"[events_ >> (2 * i) & 3];
+    return letters;
+  }
+
+ private:
+  static constexpr int kMost = 32;
+
+  uint64_t events_ = 0;
+  int count_ = 0;
+};
+
 // The depth of a ray that hits nothing.
 inline constexpr double kFarAway = 2e10;
 
@@ -25,11 +52,13 @@ struct TracedRay {
   Vec3 direction;  // unit
   double max_depth = kFarAway;  // nothing behind is seen; only primary rays may be shortened
   RayClass kind;
+  RayKind spawned_as = RayKind::primary;
   int level = 0;
   float weight = 1;
   // A hash of the ray's history: pixel, sub-sample and each bounce. Random draws that POV-Ray takes
   // from a thread's stream are functions of it (design.md rule 4a).
   uint64_t path = 0;
+  PathEvents events;
   SpectralBand band;
   InteriorList interiors;
 };

@@ -76,6 +76,8 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   next.origin = hit.surface.point;
   next.max_depth = kFarAway;
   next.kind.primary = false;
+  next.spawned_as = RayKind::refracted;
+  next.events.append(PathEvents::Event::specular);
   next.weight = weight;
   next.path = extend_path(ray.path, kEventTransmission);
   next.interiors = behind;
@@ -117,6 +119,8 @@ RGB WhittedIntegrator::refract_bands(const TracedRay& ray, const SurfaceHit& hit
     next.origin = hit.surface.point;
     next.max_depth = kFarAway;
     next.kind.primary = false;
+    next.spawned_as = RayKind::refracted;
+    next.events.append(PathEvents::Event::specular);
     next.weight = weight;
     next.level = ray.level + 1;
     next.path = extend_path(ray.path, kEventTransmission + 1 + static_cast<uint64_t>(i));

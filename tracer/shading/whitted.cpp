@@ -34,6 +34,14 @@ struct WhittedIntegrator::ReflectedLayer {
 };
 
 RayResult WhittedIntegrator::trace(const TracedRay& ray, RayCounts& counts) const {
+  if (!observer_) return follow(ray, counts);
+  observer_->ray_spawned(ray);
+  const RayResult result = follow(ray, counts);
+  observer_->ray_finished(ray, result);
+  return result;
+}
+
+RayResult WhittedIntegrator::follow(const TracedRay& ray, RayCounts& counts) const {
   RayResult result;
   const GlobalSettings& settings = scene_.scene.settings;
   if (ray.level >= settings.max_trace_level || ray.weight < settings.adc_bailout) return result;
@@ -50,6 +58,7 @@ RayResult WhittedIntegrator::trace(const TracedRay& ray, RayCounts& counts) cons
     result.depth = ray.max_depth;
     scene_.atmosphere.background(ray.direction, !ray.kind.reflected, result.color,
                                  result.transmit);
+    report(ray, ContributionKind::background, result.color);
   }
 
   // What lies in the air, if the ray is in the air.
@@ -73,6 +82,7 @@ RayResult WhittedIntegrator::trace(const TracedRay& ray, RayCounts& counts) cons
 
 void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& surface,
                                       double depth, RayCounts& counts, RayResult& result) const {
+  if (observer_) observer_->ray_hit(ray, surface, depth);
   const int interior = surface.object->interior;
   SurfaceHit hit{surface, scene_.world->interiors()[interior], {}, depth,
                  ray.interiors.find(interior) >= 0};
@@ -175,7 +185,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
           scene_.new_opacity_rule
               ? 1 - pigment.filter - pigment.transmit
               : 1 - (pigment.filter * pigment.rgb().max_component() + pigment.transmit);
-      color += filter * shade_layer(ray, hit, layer, pigment, normal, opacity, counts);
+      color += filter * shade_layer(ray, hit, layer, pigment, normal, opacity, filter, counts);
       if (found && finish.conserve_energy) {
         filter *= RGB(std::min(1.0f, 1 - mirror.color.red), std::min(1.0f, 1 - mirror.color.green),
                       std::min(1.0f, 1 - mirror.color.blue));
@@ -191,8 +201,10 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
   if (trans > bailout && quality >= 6 && recursive_) {
     const float weight =
         ray.weight * std::max({std::abs(filter.red), std::abs(filter.green), std::abs(filter.blue)});
+    const RGB before = color;
     total_reflection = transmit_ray(ray, hit, *first_layer, top_normal, weight, filter, found_any,
                                     counts, color, transmit);
+    report(ray, ContributionKind::transmission, color - before);
     if (found_any) transmit *= trans;
   }
 
@@ -212,23 +224,35 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
               std::pow(seen.blue, 1 / exponent)};
     }
     color += mirror.reflectivity * seen;
+    report(ray, ContributionKind::reflection, mirror.reflectivity * seen);
   }
 }
 
 RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
                                    const TextureLayer& layer, const ColorRGBFT& pigment,
-                                   const Vec3& normal, float opacity, RayCounts& counts) const {
+                                   const Vec3& normal, float opacity, const RGB& filter,
+                                   RayCounts& counts) const {
   const FinishNode& finish = layer.finish;
   const RGB base = pigment.rgb();
-  RGB sum(0.0f);
-  sum += base * finish.ambient * scene_.scene.settings.ambient_light * opacity;
-  sum += base * finish.emission * opacity;
+  RGB sum = ambient_light(ray, hit, layer, base, normal, opacity, filter);
+  report(ray, ContributionKind::ambient, filter * sum);
+  const RGB emission = base * finish.emission * opacity;
+  sum += emission;
+  report(ray, ContributionKind::emission, filter * emission);
   if (finish.diffuse == 0 && finish.diffuse_back == 0 && finish.specular == 0 &&
       finish.phong == 0) {
     return sum;
   }
   for (int light : scene_.lights_of(*hit.surface.object)) {
-    sum += light_contribution(ray, hit, layer, pigment, normal, opacity, light, counts);
+    const RGB direct =
+        light_contribution(ray, hit, layer, pigment, normal, opacity, light, counts);
+    sum += direct;
+    report(ray, ContributionKind::direct, filter * direct, light);
+  }
+  if (indirect_) {
+    const RGB photons = photon_light(ray, hit, layer, base, normal, opacity);
+    sum += photons;
+    report(ray, ContributionKind::photons, filter * photons);
   }
   return sum;
 }
@@ -273,6 +297,66 @@ LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, con
 
 }  // namespace
 
+RGB WhittedIntegrator::ambient_light(const TracedRay& ray, const SurfaceHit& hit,
+                                     const TextureLayer& layer, const RGB& pigment,
+                                     const Vec3& normal, float opacity, const RGB& filter) const {
+  const FinishNode& finish = layer.finish;
+  if (indirect_) {
+    // Worth asking for only where it will be seen (spec/shading.md 18).
+    const float share = (filter * pigment).grey() * opacity * finish.diffuse;
+    if (!hit.ambient_asked && share > scene_.scene.settings.adc_bailout) {
+      hit.ambient_asked = true;
+      hit.has_ambient = indirect_->ambient(ray, hit.surface, hit.context.normal, normal,
+                                           ray.weight * share, hit.ambient);
+    }
+    if (hit.has_ambient) return pigment * hit.ambient * (opacity * finish.diffuse);
+  }
+  return pigment * finish.ambient * scene_.scene.settings.ambient_light * opacity;
+}
+
+// Adds up what a layer sends along the ray of each photon.
+class WhittedIntegrator::PhotonLobes final : public PhotonVisitor {
+ public:
+  PhotonLobes(const TextureLayer& layer, const Vec3& ray_direction, const Vec3& normal,
+              const RGB& pigment, float opacity)
+      : layer_(layer),
+        ray_direction_(ray_direction),
+        normal_(normal),
+        pigment_(pigment),
+        opacity_(opacity) {}
+
+  void photon(const Vec3& towards_source, const RGB& radiance) override {
+    const bool from_behind = dot(normal_, towards_source) < kEpsilon;
+    const FinishNode& finish = layer_.finish;
+    const LobeShares shares =
+        lobe_shares(layer_, ray_direction_, normal_, towards_source,
+                    from_behind ? finish.diffuse_back : finish.diffuse, opacity_, !from_behind);
+    sum += shares.diffuse * pigment_ * radiance;
+    if (shares.highlight == 0) return;
+    RGB shine = shares.highlight * radiance;
+    if (finish.metallic > 0) {
+      shine *= metallic_tint(finish.metallic, dot(normal_, towards_source), pigment_);
+    }
+    sum += shine;
+  }
+
+  RGB sum{0.0f};
+
+ private:
+  const TextureLayer& layer_;
+  const Vec3 &ray_direction_, &normal_;
+  const RGB& pigment_;
+  float opacity_;
+};
+
+RGB WhittedIntegrator::photon_light(const TracedRay& ray, const SurfaceHit& hit,
+                                    const TextureLayer& layer, const RGB& pigment,
+                                    const Vec3& normal, float opacity) const {
+  PhotonLobes lobes(layer, ray.direction, normal, pigment, opacity);
+  indirect_->gather_photons(hit.surface, lobes);
+  return lobes.sum;
+}
+
 RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit& hit,
                                           const TextureLayer& layer, const ColorRGBFT& pigment,
                                           const Vec3& normal, float opacity, int index,
@@ -293,6 +377,7 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
     }
   }
   direct_light_.apply_shadow(index, point, ray, arriving, counts);
+  if (observer_) observer_->light_tested(ray, index, point, arriving.color);
   if (is_dark(arriving.color)) return RGB(0.0f);
 
   const RGB base = pigment.rgb();
@@ -369,6 +454,8 @@ RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, cons
   next.max_depth = kFarAway;
   next.kind.primary = false;
   next.kind.reflected = true;
+  next.spawned_as = RayKind::reflected;
+  next.events.append(PathEvents::Event::specular);
   next.level = ray.level + 1;
   next.weight = weight;
   next.path = extend_path(ray.path, kEventReflection);

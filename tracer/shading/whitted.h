@@ -2,7 +2,9 @@
 #pragma once
 
 #include "tracer/shading/direct_light.h"
+#include "tracer/shading/indirect_light.h"
 #include "tracer/shading/integrator.h"
+#include "tracer/shading/ray_observer.h"
 
 namespace durer {
 
@@ -11,8 +13,14 @@ class WhittedIntegrator : public Integrator {
   // raycast: first hit, direct light and shadows, no recursion.
   enum class Depth { recursive, raycast };
 
-  WhittedIntegrator(const ShadingScene& scene, Depth depth)
-      : scene_(scene), direct_light_(scene), recursive_(depth == Depth::recursive) {}
+  // `indirect`, `observer`: null for none; they must live as long as this.
+  WhittedIntegrator(const ShadingScene& scene, Depth depth, const IndirectLight* indirect = nullptr,
+                    RayObserver* observer = nullptr)
+      : scene_(scene),
+        direct_light_(scene),
+        recursive_(depth == Depth::recursive),
+        indirect_(indirect),
+        observer_(observer) {}
 
   RayResult trace(const TracedRay& ray, RayCounts& counts) const override;
 
@@ -24,16 +32,29 @@ class WhittedIntegrator : public Integrator {
     TextureContext context;  // normal: facing the ray
     double depth;            // length of the segment that ends here
     bool inside_interior;    // the ray is in this object's interior
+    // Indirect light is asked once for all layers.
+    mutable bool ambient_asked = false, has_ambient = false;
+    mutable RGB ambient{0.0f};
   };
   struct ReflectedLayer;
+  class PhotonLobes;
 
+  RayResult follow(const TracedRay& ray, RayCounts& counts) const;
   void shade_surface(const TracedRay& ray, const SurfacePoint& surface, double depth,
                      RayCounts& counts, RayResult& result) const;
   void shade_texture(const TracedRay& ray, const SurfaceHit& hit, const CompiledTexture& texture,
                      const Vec3& point, RayCounts& counts, RGB& color, float& transmit) const;
   RGB shade_layer(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
-                  const ColorRGBFT& pigment, const Vec3& normal, float opacity,
+                  const ColorRGBFT& pigment, const Vec3& normal, float opacity, const RGB& filter,
                   RayCounts& counts) const;
+  RGB ambient_light(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
+                    const RGB& pigment, const Vec3& normal, float opacity,
+                    const RGB& filter) const;
+  RGB photon_light(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
+                   const RGB& pigment, const Vec3& normal, float opacity) const;
+  void report(const TracedRay& ray, ContributionKind kind, const RGB& color, int light = -1) const {
+    if (observer_) observer_->contribution(ray, {kind, light, color});
+  }
   RGB light_contribution(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
                          const ColorRGBFT& pigment, const Vec3& normal, float opacity, int light,
                          RayCounts& counts) const;
@@ -50,6 +71,8 @@ class WhittedIntegrator : public Integrator {
   const ShadingScene& scene_;
   DirectLight direct_light_;
   bool recursive_;
+  const IndirectLight* indirect_;
+  RayObserver* observer_;
 };
 
 }  // namespace durer
