@@ -78,7 +78,16 @@ void Console::diagnostic(const Diagnostic& message) {
   line(error ? Stream::fatal : Stream::warning, text);
 }
 
-void Console::debug_line(const std::string& text) { line(Stream::debug, text); }
+void Console::debug_line(const std::string& text) {
+  constexpr size_t kColumns = 80;  // whatever the terminal has
+  std::string rest = text;
+  while (rest.size() > kColumns) {
+    const size_t end = line_break(rest, kColumns);
+    line(Stream::debug, rest.substr(0, end));
+    rest.erase(0, end);
+  }
+  line(Stream::debug, rest);
+}
 
 std::string duration_text(double seconds) {
   char text[64];

@@ -284,7 +284,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       open();
       const std::string name = to_bytes(parse_string());
       expect(Symbol::paren_close);
-      return number(find_file(name, FileType::user, false).empty() ? 0 : 1);
+      return number(path_exists(name) ? 1 : 0);
     }
 
     // Vectors
@@ -300,14 +300,13 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       open();
       a = parse_vector();
       expect(Symbol::paren_close);
-      const double squared = dot(a, a);
-      if (squared == 0) {
+      if (a == Vec3(0)) {
         if (language_version >= 350) {
           message(Severity::possible_error, "vnormalize of a vector of length zero");
         }
         return vector({0, 0, 0});
       }
-      return vector(a / std::sqrt(squared));
+      return vector(a / std::sqrt(dot(a, a)));
     }
     case Keyword::vrotate: {
       two_vectors();
@@ -378,7 +377,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       accept_comma();
       b = parse_vector();
       Reference normal_at;
-      if (accept_comma()) {
+      if (accept_comma() || !peek().is(Symbol::paren_close)) {
         peek();
         if (look.token.kind != TokenKind::identifier || !look.value ||
             look.value->kind() != ValueKind::vector) {

@@ -1,4 +1,5 @@
 // Colour expressions (spec/language.md 6).
+#include <algorithm>
 #include <cmath>
 
 #include "parser/parser_state.h"
@@ -6,12 +7,14 @@
 namespace durer {
 namespace {
 
-// One sRGB component to the scene's working space.
-double decode_srgb(double c, const GlobalSettings& settings) {
+// One sRGB component to the scene's working space, in single precision as POV-Ray does it.
+float decode_srgb(float c, const GlobalSettings& settings) {
   if (settings.gamma_kind == AssumedGamma::srgb) return c;
-  const double linear = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  if (settings.gamma_kind == AssumedGamma::none || settings.assumed_gamma == 1.0) return linear;
-  return std::pow(linear, 1.0 / settings.assumed_gamma);
+  const float linear = c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+  if (settings.gamma_kind == AssumedGamma::none || std::abs(1 - 1 / settings.assumed_gamma) <= 0.01) {
+    return linear;
+  }
+  return std::pow(std::max(linear, 0.0f), 1 / static_cast<float>(settings.assumed_gamma));
 }
 
 }  // namespace
@@ -78,7 +81,7 @@ void Parser::State::parse_color(Terms& out, bool full) {
           error("srgb colours need assumed_gamma to be set before them, in global_settings");
         }
         Terms terms;
-        parse_express(terms, width);
+        parse_express(terms, 1);
         const int given = terms.count;
         if (given > width) {
           message(Severity::warning, "there are more components after '" +
@@ -93,7 +96,9 @@ void Parser::State::parse_color(Terms& out, bool full) {
           terms.v[4] = terms.v[3];
           terms.v[3] = 0;
         }
-        for (int i = 0; i < 3 && srgb; ++i) terms.v[i] = decode_srgb(terms.v[i], scene.settings);
+        for (int i = 0; i < 3 && srgb; ++i) {
+          terms.v[i] = decode_srgb(static_cast<float>(terms.v[i]), scene.settings);
+        }
         for (int i = 0; i < 5; ++i) out.v[i] = static_cast<float>(terms.v[i]);
         continue;
       }
@@ -102,11 +107,8 @@ void Parser::State::parse_color(Terms& out, bool full) {
     if (!first || !starts_expression()) break;
     Terms terms;
     const int width = full ? 5 : 3;
-    parse_express(terms, width);
+    parse_express(terms, 1);
     if (full && terms.count != 5) {
-      if (terms.count > 3 || terms.count < 3) {
-        if (terms.count != 2 && terms.count != 4) error("expected a colour");
-      }
       terms.promote(5);
     }
     terms.promote(width);

@@ -44,11 +44,8 @@ bool Parser::State::parse_defined() {
   expect(Symbol::paren_open);
   const FlagScope plain(resolve_elements, false);
   bool defined = false;
-  const Token& token = peek();
-  if (token.kind != TokenKind::identifier && token.kind != TokenKind::keyword) {
-    error_expected("an identifier");
-  }
-  if (token.kind == TokenKind::identifier && look.entry) {
+  // Whatever is no name in use is not defined.
+  if (peek().kind == TokenKind::identifier && look.entry) {
     Entry* entry = look.entry;
     defined = true;
     const bool is_array = look.value && look.value->kind() == ValueKind::array;
@@ -319,14 +316,13 @@ void Parser::State::do_break() {
       case Kind::for_loop:
       case Kind::switch_matched:
       case Kind::switch_waiting:
-        if (conditionals[i].frame != frames.size() - 1) break;
+        // Files that were included inside it end with it.
         if (conditionals[i].kind == Kind::switch_waiting) --waiting_switches;
         conditionals.resize(i + 1);
         skip(levels, false);
         conditionals.pop_back();
         return;
     }
-    break;
   }
   error("there is no loop, #switch or macro here that #break could leave");
 }

@@ -45,6 +45,10 @@ class ParseError : public std::runtime_error {
 };
 
 // Where messages and the scene's text streams go. The default does nothing.
+// Where POV-Ray ends a line of text longer than `width`: before the last space of its last quarter,
+// which then begins the next line, or at `width`.
+size_t line_break(const std::string& text, size_t width);
+
 class MessageSink {
  public:
   virtual ~MessageSink() = default;

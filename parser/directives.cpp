@@ -57,13 +57,40 @@ void Parser::State::execute_directive() {
   }
 }
 
+// At the level of the scene some directives work without their `#`.
+bool Parser::State::accept_bare_directive() {
+  const Token word = peek();
+  if (word.kind != TokenKind::keyword) return false;
+  switch (word.keyword) {
+    case Keyword::declare:
+      message(Severity::warning, "there should be a '#' before 'declare'");
+      if (language_version >= 350) {
+        message(Severity::possible_error, "'declare' should be changed to '#declare'");
+      }
+      consume();
+      do_declare(false);
+      return true;
+    case Keyword::include:
+      message(Severity::warning, "there should be a '#' before 'include'");
+      consume();
+      do_include();
+      return true;
+    case Keyword::default_:
+      consume();
+      parse_default_block(parser);
+      return true;
+    default:
+      return false;
+  }
+}
+
 void Parser::State::do_declare(bool local) {
   // The value may come from a macro whose own scope is still open when it is stored.
   const uint32_t scope = local ? symbols.innermost() : 0;
   std::unique_ptr<Deprecation> deprecation;
   Name name = 0;
   Reference target;
-  bool is_element = false;
+  bool is_element = false, discarded = false;
   {
     const FlagScope off(directives_live, false);
     const FlagScope plain(resolve_elements, false);
@@ -100,6 +127,8 @@ void Parser::State::do_declare(bool local) {
       const FlagScope elements(resolve_elements, true);
       parse_subscripts(target);
       is_element = true;
+      // #local leaves the elements of arrays of outer scopes alone that are set already.
+      discarded = local && !entry->alias && entry->scope != scope && readable(target)->is_set();
     }
     if (!peek().is(Symbol::equal)) error_expected("'='");
     consume();
@@ -129,7 +158,7 @@ void Parser::State::do_declare(bool local) {
     if (!peek().is(Symbol::semicolon)) check_semicolon(true);
   }
   if (is_element) {
-    store(target, std::move(right.value));
+    if (!discarded) store(target, std::move(right.value));
   } else {
     assign(name, std::move(right.value), local, scope, std::move(deprecation));
   }
@@ -159,15 +188,17 @@ void Parser::State::assign(Name name, Value value, bool local, uint32_t scope,
   // What the name means now: reading the value may have changed it.
   Entry* entry = symbols.find(name);
   if (entry && entry->alias) {
-    store(*entry->alias, std::move(value));
+    // Not by store(): through a parameter even an element of an array may change its kind.
+    Value* slot = writable(*entry->alias);
+    if (!slot) error("the variable that " + quoted(name) + " stands for is gone");
+    *slot = std::move(value);
     return;
+  }
+  if (entry && entry->value.kind() == ValueKind::function) {
+    error("function " + quoted(name) + " is declared already", "#undef it first");
   }
   if (entry && (!local || entry->scope == scope)) {
     const ValueKind kind = entry->value.kind();
-    if (kind == ValueKind::function) {
-      error("function " + quoted(name) + " is declared already",
-            "#undef it first");
-    }
     if (kind == ValueKind::file) error(quoted(name) + " is an open file");
     if (kind == ValueKind::macro) error(quoted(name) + " is a macro");
     entry->value = std::move(value);
@@ -204,7 +235,6 @@ void Parser::State::do_undef() {
       symbols.remove(*entry);
     }
   }
-  accept(Symbol::semicolon);
 }
 
 void Parser::State::do_include() {
@@ -245,7 +275,7 @@ void Parser::State::do_version() {
     error("this scene asks for a version of the language after 3.7, which durer does not read");
   }
   if (!version_seen && tokens_before_version == 0) version_first = consumed <= 6;
-  language_version = hundredths < 0 ? 0 : static_cast<int>(hundredths);
+  language_version = static_cast<int>(hundredths);
   version_seen = true;
   if (!accept(Symbol::semicolon) && language_version >= 310) {
     message(Severity::possible_error, "#version should end with ';'");
@@ -270,14 +300,23 @@ void Parser::State::do_message(Keyword which) {
   message(Severity::warning, "#warning: " + text);
 }
 
-// Lines are shown when complete; a line longer than the console is cut where it is full.
+// Lines are shown when complete, or when they are longer than a line can be.
 void Parser::State::write_debug(const std::string& text) {
+  constexpr size_t kLongest = 160;
+  const auto show = [&](const std::string& line) {
+    if (options.sink) options.sink->debug_line(line);
+  };
   for (const char c : text) {
     if (c == '\n') {
-      if (options.sink) options.sink->debug_line(debug_line);
+      show(debug_line);
       debug_line.clear();
-    } else {
-      debug_line += c;
+      continue;
+    }
+    debug_line += c;
+    if (debug_line.size() > kLongest) {
+      const size_t end = line_break(debug_line, kLongest);
+      show(debug_line.substr(0, end));
+      debug_line.erase(0, end);
     }
   }
 }

@@ -33,13 +33,16 @@ inline int common_width(Terms& left, Terms& right) {
   return left.count;
 }
 
+// Not further apart than the tolerance; NaN is the same as everything.
+bool same(double a, double b) { return !(std::fabs(a - b) > kEpsilon); }
+
 bool holds(Symbol comparison, double a, double b) {
   switch (comparison) {
     case Symbol::less: return a < b;
-    case Symbol::less_equal: return a <= b || std::fabs(a - b) <= kEpsilon;
-    case Symbol::equal: return std::fabs(a - b) <= kEpsilon;
-    case Symbol::not_equal: return std::fabs(a - b) > kEpsilon;
-    case Symbol::greater_equal: return a >= b || std::fabs(a - b) <= kEpsilon;
+    case Symbol::less_equal: return a <= b || same(a, b);
+    case Symbol::equal: return same(a, b);
+    case Symbol::not_equal: return !same(a, b);
+    case Symbol::greater_equal: return a >= b || same(a, b);
     default: return a > b;
   }
 }
@@ -129,7 +132,7 @@ void Parser::State::parse_factor(Terms& out, int width) {
         directives_live = true;
         parse_factor(out, width);
         for (int i = 0; i < out.count; ++i) {
-          out.v[i] = negate ? -out.v[i] : (std::fabs(out.v[i]) <= kEpsilon ? 1.0 : 0.0);
+          out.v[i] = negate ? -out.v[i] : (std::fabs(out.v[i]) > kEpsilon ? 0.0 : 1.0);
         }
         goto operand_complete;
       }

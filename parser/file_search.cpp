@@ -103,6 +103,17 @@ std::string Parser::State::find_file(const std::string& name, FileType type, boo
   return {};
 }
 
+bool Parser::State::path_exists(const std::string& name) const {
+  const auto exists = [](const std::string& path) {
+    struct stat status;
+    return stat(path.c_str(), &status) == 0;
+  };
+  return exists(name) ||
+         (!name.starts_with('/') &&
+          std::any_of(options.library_paths.begin(), options.library_paths.end(),
+                      [&](const std::string& folder) { return exists(folder + "/" + name); }));
+}
+
 // The file's tokens are kept as long as its content is the same.
 std::shared_ptr<SourceFile> Parser::State::load_source(const std::string& path) {
   std::shared_ptr<SourceFile>& known = sources[path];

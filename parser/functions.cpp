@@ -422,13 +422,17 @@ std::shared_ptr<const FunctionNode> Parser::State::parse_function(FunctionParame
   auto node = std::make_shared<FunctionNode>();
   node->position = position();
   std::vector<FunctionParameter> parameters;
-  if (accept(Symbol::paren_open)) {
+  const bool named = accept(Symbol::paren_open);
+  if (named) {
     parameters = parse_function_parameters();
   } else {
     const int count = defaults == FunctionParameters::xyz ? 3 : 2;
     for (int i = 0; i < count; ++i) parameters.push_back({0, i});
   }
   if (!accept(Symbol::brace_open)) error_expected("'{' after 'function'");
+  if (named && parser.at_any({Keyword::pattern, Keyword::pigment, Keyword::transform, Keyword::spline})) {
+    error("a function of this kind has its own parameters: it takes no list of names");
+  }
   node->compiled = parse_function_body(parameters);
   if (!accept(Symbol::brace_close)) error_expected("'}' at the end of the function");
   return node;

@@ -33,7 +33,9 @@ void Parser::State::do_macro() {
   macro->name = name.name;
   expect(Symbol::paren_open);
   while (!peek().is(Symbol::paren_close)) {
-    if (look.token.kind != TokenKind::identifier) error_expected("a parameter name or ')'");
+    if (look.token.kind != TokenKind::identifier || ahead == kDeferred) {
+      error_expected("a parameter name or ')'");
+    }
     if (macro->parameters.size() >= kMostParameters) {
       error("a macro has at most " + std::to_string(kMostParameters) + " parameters");
     }
@@ -79,6 +81,8 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
               std::to_string(i) + " given");
       }
       parse_right_side(arguments[i], "a macro argument");
+      // Behind a number no directive is executed, behind anything else it is.
+      const FlagScope live(directives_live, !arguments[i].numeric);
       if (arguments[i].is_reference) keep_if_scope_ends(arguments[i]);
       accept_comma();
     }

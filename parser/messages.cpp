@@ -158,6 +158,13 @@ SourcePosition Parser::State::position() {
   return {last_file->shared_name(), last_file->line_of(last_offset), last_file->column_of(last_offset)};
 }
 
+size_t line_break(const std::string& text, size_t width) {
+  for (size_t end = width; end > width - width / 4; --end) {
+    if (text[end] == ' ') return end;
+  }
+  return width;
+}
+
 std::string Diagnostic::formatted() const {
   std::string out;
   if (!file.empty()) {

@@ -71,6 +71,7 @@ void open_main_file(Parser::State& state) {
 void finish(Parser::State& state) {
   state.last_file = nullptr;  // these messages are about no place
   Scene& scene = state.scene;
+  if (scene.objects.empty()) state.message(Severity::warning, "the scene has no objects");
   if (!state.experimental.empty()) {
     std::string text = "this scene uses features that POV-Ray calls experimental:";
     for (const std::string& feature : state.experimental) text += " " + feature + ",";

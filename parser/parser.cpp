@@ -30,6 +30,7 @@ bool Parser::accept_before_directives(Keyword keyword) {
   const FlagScope off(state_->directives_live, false);
   return state_->accept(keyword);
 }
+bool Parser::accept_bare_directive() { return state_->accept_bare_directive(); }
 bool Parser::accept(Symbol symbol) { return state_->accept(symbol); }
 bool Parser::accept_comma() { return state_->accept_comma(); }
 

@@ -53,6 +53,8 @@ class Parser {
   // The same without executing directives to get at the token (spec/language.md 4): a `#` or a macro
   // is then not this keyword.
   bool accept_before_directives(Keyword keyword);
+  // `declare`, `include` and `default` without `#`, which works between statements.
+  bool accept_bare_directive();
   // Consume it or stop with an error that says what was expected.
   void expect(Symbol symbol);
   void expect(Keyword keyword);

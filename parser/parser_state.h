@@ -152,6 +152,7 @@ struct Parser::State {
 
   // ---- directives.cpp -------------------------------------------------------------------------
   void execute_directive();
+  bool accept_bare_directive();
   void do_declare(bool local);
   void do_undef();
   void do_include();
@@ -235,6 +236,8 @@ struct Parser::State {
   void close_files();
   bool may_write(const std::string& path) const;
   std::string find_file(const std::string& name, FileType type, bool forgiving);
+  // A file or folder of that name, here or in a library path.
+  bool path_exists(const std::string& name) const;
   std::shared_ptr<SourceFile> load_source(const std::string& path);
 
   // ---- functions.cpp --------------------------------------------------------------------------

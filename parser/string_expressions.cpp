@@ -81,12 +81,16 @@ std::u16string Parser::State::from_bytes(const std::string& bytes) {
     if (c < 128) {
       units += c;
     } else if (utf8) {
-      // No validation: the lead byte alone says how many continuation bytes follow.
-      int more = c < 0xc0 ? 0 : c < 0xe0 ? 1 : c < 0xf0 ? 2 : c < 0xf8 ? 3 : c < 0xfc ? 4 : 5;
-      uint32_t code = more == 0 ? c : c & (0x3fu >> more);
-      for (; more > 0 && i + 1 < bytes.size(); --more) {
-        code = (code << 6) | (static_cast<unsigned char>(bytes[++i]) & 0x3f);
+      // No validation: the lead byte alone says how many bytes follow, and what the marks of all
+      // of them add up to is taken off at the end. Behind the end stand zeros.
+      static constexpr uint32_t kMarks[] = {0, 0x3080, 0xe2080, 0x3c82080, 0xfa082080, 0x82082080};
+      const int more = c < 0xc0 ? 0 : c < 0xe0 ? 1 : c < 0xf0 ? 2 : c < 0xf8 ? 3 : c < 0xfc ? 4 : 5;
+      uint32_t code = c;
+      for (int k = 0; k < more; ++k) {
+        code <<= 6;
+        if (i + 1 < bytes.size()) code += static_cast<unsigned char>(bytes[++i]);
       }
+      code -= kMarks[more];
       units += static_cast<char16_t>(code > 0xffff ? 0xfffd : code);
     } else if (language_version >= 350) {
       message(Severity::possible_error, "a character that is not ASCII was replaced by a space");
@@ -248,7 +252,7 @@ std::u16string Parser::State::parse_string(bool path) {
     case Keyword::strupr:
     case Keyword::strlwr: {
       open();
-      std::u16string text = parse_string();
+      std::u16string text = parse_string(path);
       close();
       bool warned = false;
       for (char16_t& unit : text) {
@@ -270,7 +274,9 @@ std::u16string Parser::State::parse_string(bool path) {
       if (format.empty()) error("the format of datetime() is empty");
       if (format.size() > 200) error("the format of datetime() is longer than 200 characters");
       const double seconds = std::floor((days + 10957.0) * 86400.0 + 0.5);
-      const std::time_t time = static_cast<std::time_t>(seconds);
+      // A date that the calendar cannot hold is that of time 0.
+      constexpr double kMostSeconds = 6e16;
+      std::time_t time = std::fabs(seconds) < kMostSeconds ? static_cast<std::time_t>(seconds) : 0;
       std::tm fields{};
       char text[255];
       if (!gmtime_r(&time, &fields) || std::strftime(text, sizeof text, format.c_str(), &fields) == 0) {

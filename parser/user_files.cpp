@@ -199,9 +199,6 @@ void Parser::State::do_read() {
       target = look.entry->alias ? *look.entry->alias : Reference{look.entry, 0, {}};
     }
     consume();
-    if (!target.entry) {
-      target.entry = &symbols.add(name, 0);
-    }
     if (!ended) {
       if (!space() || file->text[file->at] == '#') {
         end_file();
@@ -233,6 +230,7 @@ void Parser::State::do_read() {
         } else {
           value = Value(signed_number());
         }
+        if (!target.entry) target.entry = &symbols.add(name, 0);
         store(target, std::move(value));
         // A comma, the end of the file, or a token that gets lost.
         if (!space()) {
@@ -272,9 +270,11 @@ void Parser::State::do_write() {
       continue;
     }
     if (starts_string()) {
+      if (format != BinaryFormat::none) error_expected("numbers to write as bytes");
       const std::string text = to_bytes(parse_string());
       std::fwrite(text.data(), 1, text.size(), file->stream);
-    } else if (starts_expression() && !look.token.is(Keyword::t)) {
+    } else if (starts_expression() && !look.token.is(Keyword::t) &&
+               !parser.at_identifier(ValueKind::color)) {
       Terms terms;
       parse_sum(terms, 1);
       if (format != BinaryFormat::none) {

@@ -279,7 +279,12 @@ void Parser::State::parse_array_level(Array& array, int dimension, int64_t& inde
   if (!accept(Symbol::brace_open)) error_expected("'{' of the array's elements");
   const bool innermost = dimension == array.shape.dimensions - 1;
   for (int64_t i = 0; i < array.shape.sizes[dimension]; ++i) {
-    if (peek().is(Symbol::brace_close)) {
+    peek();
+    if (ahead == kDeferred) {
+      error("an element of an array cannot begin with a macro or a directive",
+            "put the value into parentheses");
+    }
+    if (look.token.is(Symbol::brace_close)) {
       error("the array's size is " + std::to_string(array.shape.sizes[dimension]) +
             " here, but only " + std::to_string(i) + " elements are given");
     }
@@ -308,7 +313,6 @@ std::shared_ptr<const Spline> Parser::State::parse_spline() {
   if (peek().kind == TokenKind::identifier && look.value && look.value->kind() == ValueKind::spline) {
     *spline = look.value->as<Spline>();
     consume();
-    accept_comma();
   }
   for (;;) {
     if (accept(Keyword::linear_spline)) {
@@ -324,7 +328,7 @@ std::shared_ptr<const Spline> Parser::State::parse_spline() {
     }
     accept_comma();
   }
-  if (!starts_expression()) error("a spline needs at least one point");
+  if (spline->empty() && !starts_expression()) error("a spline needs at least one point");
   while (starts_expression()) {
     const double parameter = parse_float();
     accept_comma();

@@ -3,9 +3,10 @@
 #include <unordered_map>
 
 #include "parser/parser.h"
+#include "tracer/image/raster_file.h"
 #include "tracer/patterns/noise.h"
-#include "tracer/scene/not_supported.h"
 #include "tracer/scene/object.h"
+#include "tracer/scene/texture.h"
 #include "tracer/world/world.h"
 
 namespace durer {
@@ -24,8 +25,11 @@ class WorldQueries : public SceneQueries {
   }
   bool has_inside(const ObjectPtr& object) override { return compiled(object).has_inside(); }
   Bounds extents(const ObjectPtr& object) override { return compiled(object).extents(); }
-  bool image_size(const PigmentNode&, Vec2&) override {
-    throw NotSupported("max_extent() of a pigment", parser_.position());
+  bool image_size(const PigmentNode& pigment, Vec2& size) override {
+    if (pigment.pattern.kind != PatternKind::image_map || !pigment.pattern.image) return false;
+    const RasterFile raster = read_raster(*pigment.pattern.image);
+    size = {raster.width, raster.height};
+    return true;
   }
   Vec3 turbulence(const Vec3& point, double lambda, double omega, int octaves, int) override {
     return vector_turbulence(point, octaves, omega, lambda);

@@ -33,6 +33,7 @@ std::shared_ptr<const FogNode> parse_fog(Parser& parser) {
     } else if (parser.at_color_start()) {
       fog->color = parser.parse_color();
     } else if (parser.at_expression()) {
+      parser.warning("a fog's distance should follow the word 'distance'");
       fog->distance = parser.parse_float();
     } else {
       break;

@@ -163,8 +163,9 @@ class CameraReader {
       if (stepwise_) camera_.focal_distance = length(camera_.focal_point - camera_.location);
     } else if (parser_.accept(Keyword::bokeh)) {
       parser_.expect_open("bokeh");
-      if (!parser_.accept(Keyword::pigment)) parser_.error_expected("pigment");
-      camera_.bokeh = parse_pigment(parser_, default_texture(parser_)->pigment);
+      if (parser_.accept(Keyword::pigment)) {
+        camera_.bokeh = parse_pigment(parser_, default_texture(parser_)->pigment);
+      }
       parser_.expect_close("bokeh");
     } else if (parser_.accept(Keyword::normal)) {
       camera_.normal = parse_normal(parser_, camera_.normal);

@@ -129,6 +129,11 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
 
 std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind,
                                                        float* bump_size) {
+  // The old syntax gave the plane of the image here; it has no effect any more.
+  if (parser.at(Symbol::less)) {
+    parser.parse_vector();
+    parser.accept_comma();
+  }
   const auto source = parse_image_file(parser);
   const bool pigment = kind == PatternKind::image_map;
   for (;;) {

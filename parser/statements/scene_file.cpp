@@ -53,14 +53,16 @@ bool parse_statement(Parser& parser) {
     scene.atmosphere_ior = interior->ior;
     scene.atmosphere_dispersion = interior->dispersion;
     for (const auto& media : interior->media) scene.atmosphere.push_back(media);
-  } else if (parser.accept(Keyword::default_)) {
-    parse_default_block(parser);
+  } else if (parser.accept_bare_directive()) {
   } else if (parser.accept(Keyword::max_trace_level)) {
     scene.settings.max_trace_level = std::clamp(parser.parse_int(), 1, 256);
     parser.possible_error("max_trace_level belongs into global_settings");
   } else if (parser.accept(Keyword::max_intersections)) {
     parser.parse_float();
     parser.possible_error("max_intersections has no effect any more");
+  } else if (parser.at(Keyword::version)) {
+    parser.warning("'version' without '#' ends the scene here, as it does in POV-Ray");
+    return false;
   } else if (parser.at_end()) {
     return false;
   } else {
@@ -86,7 +88,6 @@ void parse_scene_statements(Parser& parser) {
     scene.cameras.push_back(scene.camera);
   }
   scene.default_texture = default_texture(parser);
-  if (scene.objects.empty()) parser.warning("the scene has no objects");
 }
 
 Value parse_rvalue_block(Parser& parser) {

@@ -85,7 +85,7 @@ struct Piece {  // a node of the tree of pieces; leaves have no children
 class BicubicPatch final : public Shape {
  public:
   explicit BicubicPatch(const BicubicPatchNode& node)
-      : flatness_(node.flatness), u_steps_(node.u_steps), v_steps_(node.v_steps) {
+      : node_(node), flatness_(node.flatness), u_steps_(node.u_steps), v_steps_(node.v_steps) {
     for (size_t i = 0; i < 16; ++i) {
       points_[i / 4][i % 4] = node.points[i];
       box_.extend(node.points[i]);
@@ -96,6 +96,12 @@ class BicubicPatch final : public Shape {
   }
 
   Bounds bounds() const override { return box_; }
+  // The points move, so that flatness and the least depth are lengths of the scene.
+  std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
+    BicubicPatchNode moved = node_;
+    for (Vec3& point : moved.points) point = transform.point(point);
+    return std::make_shared<BicubicPatch>(moved);
+  }
   bool is_patch() const override { return true; }
   bool ignores_clips() const override { return true; }
   bool inside(const Vec3&) const override { return false; }
@@ -233,6 +239,7 @@ class BicubicPatch final : public Shape {
   Bounds box_;
   std::array<Vec2, 4> uv_;
   std::vector<Piece> pieces_;
+  BicubicPatchNode node_;
   double flatness_;
   int u_steps_, v_steps_;
 };

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tracer/world/world_builder.h"
 
 namespace durer {
@@ -5,10 +7,25 @@ namespace durer {
 struct ObjectQuery::Impl {
   WorldData data;
   uint32_t node = 0;
-  FloatBox box;
+  FloatBox box, extents;
   bool is_exempt = false;
   bool has_inside = true;
 };
+
+namespace {
+
+// Light sources have no bounds, and neither have unions with one in them.
+bool is_unbounded_by_light(const ResolvedObject& object) {
+  if (object.kind == ResolvedObject::Kind::light) return true;
+  if (object.kind == ResolvedObject::Kind::copy) return is_unbounded_by_light(*object.original);
+  if (object.kind != ResolvedObject::Kind::csg || !object.clips.empty() || !object.bounds.empty()) {
+    return false;
+  }
+  const bool is_union = object.csg == CsgKind::union_ || object.csg == CsgKind::merge;
+  return is_union && std::any_of(object.children.begin(), object.children.end(), is_unbounded_by_light);
+}
+
+}  // namespace
 
 ObjectQuery::ObjectQuery() : impl_(std::make_unique<Impl>()) {}
 ObjectQuery::~ObjectQuery() = default;
@@ -22,6 +39,7 @@ std::shared_ptr<const ObjectQuery> ObjectQuery::build(const ObjectPtr& object,
   WorldBuilder builder(impl.data, {}, 1, nullptr);
   impl.node = builder.add_bare(resolved);
   impl.box = resolved.box;
+  impl.extents = is_unbounded_by_light(resolved) ? FloatBox() : resolved.box;
   impl.has_inside = resolved.has_inside();
   const GeometryNode& node = impl.data.geometry.nodes[impl.node];
   impl.is_exempt = node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test();
@@ -53,11 +71,7 @@ bool ObjectQuery::trace(const Vec3& origin, const Vec3& unit_direction, Vec3& po
 bool ObjectQuery::inside(const Vec3& point) const {
   return impl_->data.geometry.inside(impl_->node, point);
 }
-bool ObjectQuery::has_inside() const {
-  return impl_->has_inside;
-}
-Bounds ObjectQuery::extents() const {
-  return impl_->box.to_bounds();
-}
+bool ObjectQuery::has_inside() const { return impl_->has_inside; }
+Bounds ObjectQuery::extents() const { return impl_->extents.to_bounds(); }
 
 }  // namespace durer

@@ -106,7 +106,7 @@ ShapeNode parse_ovus(Parser& parser) {
     parser.error("the radii of an ovus must not be negative");
   }
   if (node.top_radius >= 2 * node.bottom_radius) {
-    parser.warning("the top radius of this ovus is at least twice the bottom one: it is a sphere");
+    parser.possible_error("the top radius of this ovus is at least twice the bottom one: it is a sphere");
     return SphereNode{{0, node.bottom_radius, 0}, node.top_radius};
   }
   return node;
