@@ -277,9 +277,16 @@ void Parser::State::do_version() {
   if (!version_seen && tokens_before_version == 0) version_first = consumed <= 6;
   language_version = static_cast<int>(hundredths);
   version_seen = true;
+  follow_noise_generator();
   if (!accept(Symbol::semicolon) && language_version >= 310) {
     message(Severity::possible_error, "#version should end with ';'");
   }
+}
+
+void Parser::State::follow_noise_generator() {
+  field_settings->noise_generator = scene.settings.noise_generator_given ? scene.settings.noise_generator
+                                    : language_version < 350             ? 1
+                                                                         : 2;
 }
 
 void Parser::State::do_message(Keyword which) {

@@ -1,16 +1,12 @@
 // function{ } (spec/functions.md 1, 2): the grammar of its body, built into a tape while it is read.
 #include <cmath>
 
+#include "parser/live_fields.h"
 #include "parser/parser_state.h"
 #include "parser/statements/statements.h"
 #include "tracer/functions/tape.h"
 #include "tracer/math/spline.h"
-#include "tracer/patterns/color_field.h"
-#include "tracer/patterns/pattern.h"
 #include "tracer/scene/function.h"
-#include "tracer/scene/not_supported.h"
-#include "tracer/texture/surface_texture.h"
-#include "tracer/world/pattern_services.h"
 
 namespace durer {
 namespace {
@@ -63,29 +59,6 @@ bool float_function(Keyword keyword, FloatFunction& function) {
     default: return false;
   }
 }
-
-// A pattern or pigment that cannot be evaluated yet stops whoever evaluates it, not its declaration.
-class UnsupportedField : public ScalarField, public ColorField {
- public:
-  explicit UnsupportedField(NotSupported what) : what_(std::move(what)) {}
-  double value(const Vec3&) const override { throw what_; }
-  bool color(const Vec3&, const PatternContext*, ColorRGBFT&) const override { throw what_; }
-
- private:
-  NotSupported what_;
-};
-
-class PigmentField : public ColorField {
- public:
-  explicit PigmentField(std::shared_ptr<const CompiledPigment> pigment)
-      : pigment_(std::move(pigment)) {}
-  bool color(const Vec3& p, const PatternContext* context, ColorRGBFT& color) const override {
-    return pigment_->evaluate(p, context ? *context : PatternContext{}, color);
-  }
-
- private:
-  std::shared_ptr<const CompiledPigment> pigment_;
-};
 
 // Reads one expression and builds its tape.
 class FunctionBody {
@@ -331,13 +304,6 @@ class FunctionBody {
   std::vector<std::pair<Name, int>> loops_;
 };
 
-TextureSettings function_settings(const Parser::State& state) {
-  TextureSettings settings;
-  settings.patterns.noise_generator = state.field_settings->noise_generator;
-  settings.effective_version = state.parser.effective_version();
-  return settings;
-}
-
 }  // namespace
 
 std::vector<Parser::State::FunctionParameter> Parser::State::parse_function_parameters() {
@@ -381,25 +347,15 @@ FunctionHandle Parser::State::parse_function_body(const std::vector<FunctionPara
       }
       case Keyword::pattern: {
         consume();
-        const auto pattern = parse_function_pattern(parser);
-        try {
-          const WorldPatternServices services(function_settings(*this), scene.settings);
-          return make_pattern_function(
-              std::make_shared<Pattern>(*pattern, services.settings().patterns));
-        } catch (const NotSupported& what) {
-          return make_pattern_function(std::make_shared<UnsupportedField>(what));
-        }
+        auto pattern = parse_function_pattern(parser);
+        return make_pattern_function(make_live_pattern(std::move(pattern), field_settings,
+                                                       scene.settings, parser.effective_version()));
       }
       case Keyword::pigment: {
         consume();
-        const auto pigment = parse_function_pigment(parser);
-        try {
-          const WorldPatternServices services(function_settings(*this), scene.settings);
-          return make_pigment_function(
-              std::make_shared<PigmentField>(compile_pigment(*pigment, services.settings())));
-        } catch (const NotSupported& what) {
-          return make_pigment_function(std::make_shared<UnsupportedField>(what));
-        }
+        auto pigment = parse_function_pigment(parser);
+        return make_pigment_function(make_live_pigment(std::move(pigment), field_settings,
+                                                       scene.settings, parser.effective_version()));
       }
       case Keyword::transform:
         consume();

@@ -78,6 +78,10 @@ void finish(Parser::State& state) {
     text.pop_back();
     state.message(Severity::warning, text);
   }
+  state.follow_noise_generator();
+  scene.settings.noise_generator = state.field_settings->noise_generator;
+  state.field_settings->number_of_waves = scene.settings.number_of_waves;
+  state.field_settings->frozen = true;
   if (state.language_version < 350) {
     state.message(Severity::warning,
                   "this scene is written for a version of POV-Ray before 3.5: some features may look "

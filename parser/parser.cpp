@@ -15,6 +15,7 @@ Parser::State::State(Parser& facade, const ParseOptions& parse_options)
   if (options.version > 0) {
     language_version = options.version;
     version_seen = version_first = true;
+    follow_noise_generator();
   }
 }
 
@@ -175,6 +176,7 @@ int Parser::effective_version() const {
 const ParseOptions& Parser::options() const { return state_->options; }
 Scene& Parser::scene() { return state_->scene; }
 void Parser::set_utf8(bool utf8) { state_->utf8 = utf8; }
+void Parser::follow_noise_generator() { state_->follow_noise_generator(); }
 void Parser::note_assumed_gamma() { state_->gamma_known = true; }
 SceneQueries& Parser::queries() { return *state_->options.queries; }
 

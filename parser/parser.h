@@ -152,6 +152,8 @@ class Parser {
   std::shared_ptr<const CameraNode> default_camera;
   // `global_settings { charset utf8 }`.
   void set_utf8(bool utf8);
+  // noise_generator or #version has changed.
+  void follow_noise_generator();
   // "spline", "slope pattern" ...: named in one warning after the parse.
   void note_experimental(const char* feature);
   // assumed_gamma has been parsed (srgb colours need it); gamma as in GlobalSettings.

@@ -157,6 +157,8 @@ struct Parser::State {
   void do_undef();
   void do_include();
   void do_version();
+  // The noise generator in force, for functions that are evaluated while the scene is read.
+  void follow_noise_generator();
   void do_message(Keyword which);
   void assign(Name name, Value value, bool local, uint32_t scope,
               std::unique_ptr<Deprecation> deprecation);

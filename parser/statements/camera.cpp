@@ -287,7 +287,8 @@ class CameraReader {
 
 }  // namespace
 
-std::shared_ptr<const CameraNode> parse_camera(Parser& parser) {
+std::shared_ptr<const CameraNode> parse_camera(Parser& parser,
+                                               const std::shared_ptr<const CameraNode>& start) {
   parser.expect_open("camera");
   if (const auto named = parser.accept_identifier<CameraNode>(ValueKind::camera)) {
     auto copy = std::make_shared<CameraNode>(*named);
@@ -304,8 +305,8 @@ std::shared_ptr<const CameraNode> parse_camera(Parser& parser) {
     parser.expect_close("camera");
     return copy;
   }
-  auto camera = parser.default_camera ? std::make_shared<CameraNode>(*parser.default_camera)
-                                      : std::make_shared<CameraNode>();
+  const auto& from = start ? start : parser.default_camera;
+  auto camera = from ? std::make_shared<CameraNode>(*from) : std::make_shared<CameraNode>();
   camera->position = parser.position();
   CameraReader(parser, *camera).read();
   parser.expect_close("camera");

@@ -9,6 +9,8 @@ namespace durer {
 
 class Parser;
 
-std::shared_ptr<const CameraNode> parse_camera(Parser& parser);
+// The text changes a copy of `start`; null: of the default camera.
+std::shared_ptr<const CameraNode> parse_camera(Parser& parser,
+                                               const std::shared_ptr<const CameraNode>& start = {});
 
 }  // namespace durer

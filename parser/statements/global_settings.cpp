@@ -44,6 +44,7 @@ class SettingsReader {
       if (generator < 1 || generator > 3) parser_.error("noise_generator is 1, 2 or 3");
       settings_.noise_generator = generator;
       settings_.noise_generator_given = true;
+      parser_.follow_noise_generator();
     } else if (parser_.accept(Keyword::number_of_waves)) {
       settings_.number_of_waves = parser_.parse_int();
       if (settings_.number_of_waves <= 0) {

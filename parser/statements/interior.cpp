@@ -162,6 +162,12 @@ std::shared_ptr<const MediaNode> parse_media(Parser& parser) {
   }
   while (accept_media_item(parser, *media)) {
   }
+  if (media->intervals < 1) parser.error("media needs at least one interval");
+  if (media->min_samples < 1) parser.error("media needs at least one sample per interval");
+  if (media->max_samples < media->min_samples) {
+    parser.error("the most samples per interval are fewer than the least");
+  }
+  if (media->aa_level < 1) parser.error("aa_level must be at least 1");
   parser.expect_close("media");
   return media;
 }

@@ -58,6 +58,8 @@ class NormalReader {
       } else {
         read_amount();
       }
+    } else if (node_.pattern.kind != PatternKind::none) {
+      read_amount();  // behind an identifier
     }
   }
 

@@ -20,7 +20,8 @@ ObjectPtr with_default_texture(Parser& parser, ObjectPtr object) {
 
 void add_camera(Parser& parser) {
   Scene& scene = parser.scene();
-  auto camera = parse_camera(parser);
+  // Before 3.5 a further camera changes the one before it.
+  auto camera = parse_camera(parser, parser.language_version() < 350 ? scene.camera : nullptr);
   if (!scene.cameras.empty() && parser.language_version() >= 350) {
     parser.warning("the scene has more than one camera; the last one is used");
   }
