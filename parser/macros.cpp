@@ -33,9 +33,7 @@ void Parser::State::do_macro() {
   macro->name = name.name;
   expect(Symbol::paren_open);
   while (!peek().is(Symbol::paren_close)) {
-    if (look.token.kind != TokenKind::identifier || ahead == kDeferred) {
-      error_expected("a parameter name or ')'");
-    }
+    if (look.token.kind != TokenKind::identifier) error_expected("a parameter name or ')'");
     if (macro->parameters.size() >= kMostParameters) {
       error("a macro has at most " + std::to_string(kMostParameters) + " parameters");
     }
