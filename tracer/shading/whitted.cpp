@@ -34,11 +34,16 @@ struct WhittedIntegrator::ReflectedLayer {
 };
 
 RayResult WhittedIntegrator::trace(const TracedRay& ray, RayCounts& counts) const {
-  if (!observer_) return follow(ray, counts);
+  if (!observer_) [[likely]] return follow(ray, counts);
   observer_->ray_spawned(ray);
   const RayResult result = follow(ray, counts);
   observer_->ray_finished(ray, result);
   return result;
+}
+
+void WhittedIntegrator::report(const TracedRay& ray, ContributionKind kind, const RGB& color,
+                               int light) const {
+  observer_->contribution(ray, {kind, light, color});
 }
 
 RayResult WhittedIntegrator::follow(const TracedRay& ray, RayCounts& counts) const {
@@ -58,7 +63,7 @@ RayResult WhittedIntegrator::follow(const TracedRay& ray, RayCounts& counts) con
     result.depth = ray.max_depth;
     scene_.atmosphere.background(ray.direction, !ray.kind.reflected, result.color,
                                  result.transmit);
-    report(ray, ContributionKind::background, result.color);
+    if (observer_) [[unlikely]] report(ray, ContributionKind::background, result.color);
   }
 
   // What lies in the air, if the ray is in the air.
@@ -82,7 +87,7 @@ RayResult WhittedIntegrator::follow(const TracedRay& ray, RayCounts& counts) con
 
 void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& surface,
                                       double depth, RayCounts& counts, RayResult& result) const {
-  if (observer_) observer_->ray_hit(ray, surface, depth);
+  if (observer_) [[unlikely]] observer_->ray_hit(ray, surface, depth);
   const int interior = surface.object->interior;
   SurfaceHit hit{surface, scene_.world->interiors()[interior], {}, depth,
                  ray.interiors.find(interior) >= 0};
@@ -204,7 +209,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     const RGB before = color;
     total_reflection = transmit_ray(ray, hit, *first_layer, top_normal, weight, filter, found_any,
                                     counts, color, transmit);
-    report(ray, ContributionKind::transmission, color - before);
+    if (observer_) [[unlikely]] report(ray, ContributionKind::transmission, color - before);
     if (found_any) transmit *= trans;
   }
 
@@ -224,7 +229,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
               std::pow(seen.blue, 1 / exponent)};
     }
     color += mirror.reflectivity * seen;
-    report(ray, ContributionKind::reflection, mirror.reflectivity * seen);
+    if (observer_) [[unlikely]] report(ray, ContributionKind::reflection, mirror.reflectivity * seen);
   }
 }
 
@@ -234,11 +239,14 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
                                    RayCounts& counts) const {
   const FinishNode& finish = layer.finish;
   const RGB base = pigment.rgb();
-  RGB sum = ambient_light(ray, hit, layer, base, normal, opacity, filter);
-  report(ray, ContributionKind::ambient, filter * sum);
+  RGB sum = base * finish.ambient * scene_.scene.settings.ambient_light * opacity;
+  if (indirect_) [[unlikely]] {
+    replace_ambient(ray, hit, layer, base, normal, opacity, filter, sum);
+  }
+  if (observer_) [[unlikely]] report(ray, ContributionKind::ambient, filter * sum);
   const RGB emission = base * finish.emission * opacity;
   sum += emission;
-  report(ray, ContributionKind::emission, filter * emission);
+  if (observer_) [[unlikely]] report(ray, ContributionKind::emission, filter * emission);
   if (finish.diffuse == 0 && finish.diffuse_back == 0 && finish.specular == 0 &&
       finish.phong == 0) {
     return sum;
@@ -247,12 +255,12 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
     const RGB direct =
         light_contribution(ray, hit, layer, pigment, normal, opacity, light, counts);
     sum += direct;
-    report(ray, ContributionKind::direct, filter * direct, light);
+    if (observer_) [[unlikely]] report(ray, ContributionKind::direct, filter * direct, light);
   }
   if (indirect_) {
     const RGB photons = photon_light(ray, hit, layer, base, normal, opacity);
     sum += photons;
-    report(ray, ContributionKind::photons, filter * photons);
+    if (observer_) [[unlikely]] report(ray, ContributionKind::photons, filter * photons);
   }
   return sum;
 }
@@ -297,21 +305,19 @@ LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, con
 
 }  // namespace
 
-RGB WhittedIntegrator::ambient_light(const TracedRay& ray, const SurfaceHit& hit,
-                                     const TextureLayer& layer, const RGB& pigment,
-                                     const Vec3& normal, float opacity, const RGB& filter) const {
-  const FinishNode& finish = layer.finish;
-  if (indirect_) {
-    // Worth asking for only where it will be seen (spec/shading.md 18).
-    const float share = (filter * pigment).grey() * opacity * finish.diffuse;
-    if (!hit.ambient_asked && share > scene_.scene.settings.adc_bailout) {
-      hit.ambient_asked = true;
-      hit.has_ambient = indirect_->ambient(ray, hit.surface, hit.context.normal, normal,
-                                           ray.weight * share, hit.ambient);
-    }
-    if (hit.has_ambient) return pigment * hit.ambient * (opacity * finish.diffuse);
+void WhittedIntegrator::replace_ambient(const TracedRay& ray, const SurfaceHit& hit,
+                                        const TextureLayer& layer, const RGB& pigment,
+                                        const Vec3& normal, float opacity, const RGB& filter,
+                                        RGB& ambient) const {
+  // Worth asking for only where it will be seen (spec/shading.md 18).
+  const float diffuse = layer.finish.diffuse;
+  const float share = (filter * pigment).grey() * opacity * diffuse;
+  if (!hit.ambient_asked && share > scene_.scene.settings.adc_bailout) {
+    hit.ambient_asked = true;
+    hit.has_ambient = indirect_->ambient(ray, hit.surface, hit.context.normal, normal,
+                                         ray.weight * share, hit.ambient);
   }
-  return pigment * finish.ambient * scene_.scene.settings.ambient_light * opacity;
+  if (hit.has_ambient) ambient = pigment * hit.ambient * (opacity * diffuse);
 }
 
 // Adds up what a layer sends along the ray of each photon.
@@ -377,7 +383,7 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
     }
   }
   direct_light_.apply_shadow(index, point, ray, arriving, counts);
-  if (observer_) observer_->light_tested(ray, index, point, arriving.color);
+  if (observer_) [[unlikely]] observer_->light_tested(ray, index, point, arriving.color);
   if (is_dark(arriving.color)) return RGB(0.0f);
 
   const RGB base = pigment.rgb();

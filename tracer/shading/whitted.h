@@ -47,14 +47,16 @@ class WhittedIntegrator : public Integrator {
   RGB shade_layer(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
                   const ColorRGBFT& pigment, const Vec3& normal, float opacity, const RGB& filter,
                   RayCounts& counts) const;
-  RGB ambient_light(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
-                    const RGB& pigment, const Vec3& normal, float opacity,
-                    const RGB& filter) const;
+  // Indirect light, where there is any, in place of a layer's ambient.
+  [[gnu::noinline]] void replace_ambient(const TracedRay& ray, const SurfaceHit& hit,
+                                         const TextureLayer& layer, const RGB& pigment,
+                                         const Vec3& normal, float opacity, const RGB& filter,
+                                         RGB& ambient) const;
   RGB photon_light(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
                    const RGB& pigment, const Vec3& normal, float opacity) const;
-  void report(const TracedRay& ray, ContributionKind kind, const RGB& color, int light = -1) const {
-    if (observer_) observer_->contribution(ray, {kind, light, color});
-  }
+  // To the observer, which must be there. Cold, so that renderers without one pay for a test only.
+  [[gnu::cold, gnu::noinline]] void report(const TracedRay& ray, ContributionKind kind,
+                                           const RGB& color, int light = -1) const;
   RGB light_contribution(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
                          const ColorRGBFT& pigment, const Vec3& normal, float opacity, int light,
                          RayCounts& counts) const;
