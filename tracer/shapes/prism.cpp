@@ -110,6 +110,8 @@ class Prism final : public Shape {
       if (std::abs(top_) > kGeometryEpsilon) cap(p, d, top_, scale, out);
       if (std::abs(bottom_) > kGeometryEpsilon) cap(p, d, bottom_, scale, out);
     }
+    // Rays along the axis meet the caps only, as in POV-Ray.
+    if (std::abs(d.x) < kGeometryEpsilon && std::abs(d.z) < kGeometryEpsilon) return;
     const double k1 = p.z * d.y - p.y * d.z, k2 = p.y * d.x - p.x * d.y, k3 = p.x * d.z - p.z * d.x;
     for (size_t i = 0; i < segments_.size(); ++i) {
       const CurveSegment& s = segments_[i];

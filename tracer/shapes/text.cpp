@@ -163,8 +163,11 @@ struct OutlineBuilder {
 };
 
 std::vector<Edge> outline_of(FT_Outline& outline, double scale) {
-  OutlineBuilder builder{scale, {}, Vec2(0), Vec2(0)};
+  // In 64ths, so that the points implied between two control points are not rounded.
+  constexpr int kShift = 6;
+  OutlineBuilder builder{scale / (1 << kShift), {}, Vec2(0), Vec2(0)};
   FT_Outline_Funcs functions{};
+  functions.shift = kShift;
   functions.move_to = [](const FT_Vector* to, void* user) {
     auto& b = *static_cast<OutlineBuilder*>(user);
     b.line(b.start);  // closes the contour before
