@@ -200,6 +200,8 @@ void Parser::State::do_read() {
     }
     consume();
     if (!ended) {
+      // A new name is declared even if the file turns out to hold nothing more.
+      if (!target.entry) target.entry = &symbols.add(name, 0);
       if (!space() || file->text[file->at] == '#') {
         end_file();
       } else {
@@ -230,7 +232,6 @@ void Parser::State::do_read() {
         } else {
           value = Value(signed_number());
         }
-        if (!target.entry) target.entry = &symbols.add(name, 0);
         store(target, std::move(value));
         // A comma, the end of the file, or a token that gets lost.
         if (!space()) {

@@ -32,7 +32,8 @@ class WorldQueries : public SceneQueries {
     return true;
   }
   Vec3 turbulence(const Vec3& point, double lambda, double omega, int octaves, int) override {
-    return vector_turbulence(point, octaves, omega, lambda);
+    // POV-Ray keeps both in single precision.
+    return vector_turbulence(point, octaves, static_cast<float>(omega), static_cast<float>(lambda));
   }
 
  private:

@@ -131,6 +131,7 @@ std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKi
                                                        float* bump_size) {
   // The old syntax gave the plane of the image here; it has no effect any more.
   if (parser.at(Symbol::less)) {
+    parser.warning("the plane of an image has no effect any more");
     parser.parse_vector();
     parser.accept_comma();
   }
