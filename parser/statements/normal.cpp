@@ -74,12 +74,17 @@ class NormalReader {
     }
     while (static_cast<int>(map->entries.size()) < count) {
       const float place = static_cast<float>(map->entries.size());
-      auto flat = std::make_shared<NormalNode>();
-      flat->pattern.kind = PatternKind::bumps;
-      flat->bump_size = 0;
-      map->entries.push_back({place, std::move(flat)});
+      map->entries.push_back({place, default_or_flat()});
     }
     node_.normal_map = std::move(map);
+  }
+
+  std::shared_ptr<const NormalNode> default_or_flat() {
+    if (const auto& normal = default_texture(parser_)->normal) return normal;
+    auto flat = std::make_shared<NormalNode>();
+    flat->pattern.kind = PatternKind::bumps;
+    flat->bump_size = 0;
+    return flat;
   }
 
   bool accept_item() {
@@ -91,6 +96,10 @@ class NormalReader {
     } else if (parser_.accept(Keyword::no_bump_scale)) {
       node_.no_bump_scale = parser_.parse_optional_switch();
     } else if (parser_.accept(Keyword::normal_map)) {
+      if (list_length(node_.pattern.kind) > 0 || node_.pattern.kind == PatternKind::facets ||
+          node_.pattern.kind == PatternKind::bump_map) {
+        parser_.error("this pattern takes no normal_map");
+      }
       node_.normal_map = parse_normal_map(parser_);
     } else if (parser_.accept(Keyword::slope_map)) {
       if (list_length(node_.pattern.kind) > 0 || node_.pattern.kind == PatternKind::average ||

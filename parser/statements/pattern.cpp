@@ -190,6 +190,16 @@ bool accept_kind(Parser& parser, PatternNode& node, PatternUse use) {
   return true;
 }
 
+// POV-Ray 3.7 knows these, but not as pattern functions (spec/textures.md 4).
+bool at_pattern_without_function(Parser& parser) {
+  for (const Keyword keyword :
+       {Keyword::square, Keyword::triangular, Keyword::pavement, Keyword::tiling, Keyword::slope,
+        Keyword::aoi, Keyword::average}) {
+    if (parser.at(keyword)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int list_length(PatternKind kind) {
@@ -212,6 +222,7 @@ int list_length(PatternKind kind) {
 
 bool accept_pattern(Parser& parser, PatternNode& node, PatternUse use) {
   node.position = parser.position();
+  if (use == PatternUse::function && at_pattern_without_function(parser)) return false;
   if (!accept_kind(parser, node, use)) return false;
   if (starts_without_frequency(node.kind)) node.frequency = 0;
   if (starts_with_triangle_wave(node.kind)) node.wave = WaveKind::triangle;
@@ -257,10 +268,10 @@ bool accept_pattern_modifier(Parser& parser, PatternNode& node) {
     node.agate_turbulence = static_cast<float>(parser.parse_float());
   } else if (parser.accept(Keyword::control0)) {
     belongs_to(node.kind == K::quilted, "quilted");
-    node.quilt_control0 = parser.parse_float();
+    node.quilt_control0 = static_cast<float>(parser.parse_float());
   } else if (parser.accept(Keyword::control1)) {
     belongs_to(node.kind == K::quilted, "quilted");
-    node.quilt_control1 = parser.parse_float();
+    node.quilt_control1 = static_cast<float>(parser.parse_float());
   } else if (parser.accept(Keyword::brick_size)) {
     belongs_to(node.kind == K::brick, "brick");
     node.brick.size = parser.parse_vector();
@@ -291,7 +302,7 @@ bool accept_pattern_modifier(Parser& parser, PatternNode& node) {
     belongs_to(facets, "facets");
     node.facets.size = parser.parse_float();
   } else if (parser.accept(Keyword::exponent)) {
-    belongs_to(fractal, "mandel or julia");
+    belongs_to(node.kind == K::mandel || node.kind == K::julia, "mandel or julia");
     node.fractal.exponent = parser.parse_int();
     if (node.fractal.exponent < 2 || node.fractal.exponent > 33) {
       parser.warning("the exponent of a fractal lies between 2 and 33; 2 is used");

@@ -10,11 +10,36 @@
 namespace durer {
 namespace {
 
+// The same with no_bump_scale in every normal below.
+TexturePtr without_bump_scale(const TexturePtr& texture) {
+  if (!texture) return texture;
+  auto copy = std::make_shared<TextureNode>(*texture);
+  if (texture->normal) {
+    auto normal = std::make_shared<NormalNode>(*texture->normal);
+    normal->no_bump_scale = true;
+    copy->normal = std::move(normal);
+  }
+  if (texture->texture_map) {
+    auto map = std::make_shared<TextureMap>(*texture->texture_map);
+    for (auto& entry : map->entries) entry.item = without_bump_scale(entry.item);
+    copy->texture_map = std::move(map);
+  }
+  for (TexturePtr& material : copy->materials) material = without_bump_scale(material);
+  copy->below = without_bump_scale(texture->below);
+  return copy;
+}
+
 class TextureReader {
  public:
   explicit TextureReader(Parser& parser) : parser_(parser) {}
 
   TexturePtr read() {
+    const TexturePtr texture = read_parts();
+    return no_bump_scale_ ? without_bump_scale(texture) : texture;
+  }
+
+ private:
+  TexturePtr read_parts() {
     const auto named = parser_.accept_identifier<TextureNode>(ValueKind::texture);
     texture_ = named ? named : default_texture(parser_);
     if (texture_->kind != TextureNode::Kind::plain) {
@@ -28,7 +53,6 @@ class TextureReader {
     return texture_;
   }
 
- private:
   TextureNode& edit() {
     auto copy = std::make_shared<TextureNode>(*texture_);
     TextureNode& node = *copy;
@@ -75,11 +99,7 @@ class TextureReader {
       return true;
     }
     if (parser_.accept(Keyword::no_bump_scale)) {
-      if (parser_.parse_optional_switch() && texture_->normal) {
-        auto normal = std::make_shared<NormalNode>(*texture_->normal);
-        normal->no_bump_scale = true;
-        edit().normal = std::move(normal);
-      }
+      no_bump_scale_ = parser_.parse_optional_switch();
       return true;
     }
     return false;
@@ -113,6 +133,8 @@ class TextureReader {
     for (;;) {
       if (parser_.accept(Keyword::texture_map)) {
         node->texture_map = parse_texture_map(parser_);
+      } else if (parser_.accept(Keyword::no_bump_scale)) {
+        no_bump_scale_ = parser_.parse_optional_switch();
       } else if (!accept_pattern_modifier(parser_, node->pattern)) {
         break;
       }
@@ -174,6 +196,7 @@ class TextureReader {
 
   Parser& parser_;
   TexturePtr texture_;
+  bool no_bump_scale_ = false;  // written in this texture: for all normals in it
 };
 
 }  // namespace

@@ -1,96 +1,89 @@
-// Patterns, waves and warps against values taken from the installed povray
-// (tests/data/pattern_samples.json; spec/textures.md 18).
-#include <gtest/gtest.h>
-
-#include <algorithm>
+// Patterns, waves, warps, maps, images and noise against values taken from the installed povray
+// (tests/data/pattern_samples.json; spec/textures.md 18): every case goes through the parser as a
+// function{} that #debug prints at the table's points.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
-#include "tests/unit/pattern_reader.h"
-#include "tracer/patterns/noise.h"
-#include "tracer/patterns/pattern.h"
+#include "tests/unit/parsed_text.h"
 
 namespace durer {
 namespace {
 
-nlohmann::json read_table(const char* name) {
-  std::ifstream file(std::string(DURER_SOURCE_DIR) + "/tests/data/" + name);
-  return nlohmann::json::parse(file);
+// One case: its declaration and one line of output per point.
+std::string text_of(const nlohmann::json& one, const nlohmann::json& points) {
+  const std::string mode = one["mode"], sdl = one["sdl"];
+  std::ostringstream text;
+  text.precision(17);
+  const bool plain = mode == "expr", color = mode == "rgbft", grey = mode == "gray";
+  text << "#declare F = function {"
+       << (plain ? sdl : (color || grey ? "pigment {" : "pattern {") + sdl + "}") << "}\n";
+  for (const auto& p : points) {
+    const std::string at = "F(" + p[0].dump() + "," + p[1].dump() + "," + p[2].dump() + ")";
+    if (color) {
+      text << "#declare C = " << at << ";\n#debug concat(vstr(5, C, \" \", 0, 12), \"\\n\")\n";
+    } else {
+      text << "#debug concat(str(" << at << (grey ? ".red" : "") << ", 0, 12), \"\\n\")\n";
+    }
+  }
+  return text.str();
 }
 
-bool contains(const std::string& text, const char* part) {
-  return text.find(part) != std::string::npos;
-}
-
-// Cases that need images, objects or other pigments are tested with the texture room.
-bool belongs_here(const nlohmann::json& one) {
-  const std::string mode = one["mode"], text = one["sdl"];
-  if (mode != "function" && mode != "gray") return false;
-  for (const char* other : {"image", "object", "pigment"})
-    if (contains(text, other)) return false;
+// The numbers of a line; the table writes null for nan.
+bool agrees(const std::string& line, const nlohmann::json& expected, double tolerance) {
+  std::istringstream words(line);
+  const auto one = [&](const nlohmann::json& wanted) {
+    std::string word;
+    if (!(words >> word)) return false;
+    const double value = std::strtod(word.c_str(), nullptr);
+    if (!wanted.is_number()) return std::isnan(value);
+    return std::abs(value - wanted.get<double>()) <= tolerance;
+  };
+  if (!expected.is_array()) return one(expected);
+  for (const auto& wanted : expected)
+    if (!one(wanted)) return false;
   return true;
 }
 
 TEST(Patterns, AgreeWithTheTable) {
-  const nlohmann::json table = read_table("pattern_samples.json");
-  int passed = 0, failed = 0, cases = 0;
+  std::ifstream file(std::string(DURER_SOURCE_DIR) + "/tests/data/pattern_samples.json");
+  const nlohmann::json table = nlohmann::json::parse(file);
+  int passed = 0, failed = 0, edges_off = 0;
   for (const auto& one : table["cases"]) {
-    if (!belongs_here(one)) continue;
-    ++cases;
-    const std::string text = one["sdl"];
-    const bool single = one["mode"] == "gray";
-    // Tricubic densities are single precision inside.
-    const double tolerance = single || contains(text, "interpolate 2") ? 2e-6 : 1e-9;
-    const PatternReader reader(text);
-    const Pattern pattern(reader.node, {});
-
     const auto& points = table["points"][one["p"].get<std::string>()];
+    const ParsedText parsed =
+        parse_text("#version 3.7; global_settings { assumed_gamma 1 }\n#include \"functions.inc\"\n" +
+                   text_of(one, points));
+    ASSERT_EQ(parsed.error, "") << one["id"];
+    ASSERT_EQ(parsed.debug.size(), points.size()) << one["id"];
+    const std::string mode = one["mode"], sdl = one["sdl"];
+    // Colours, and tricubic densities, are single precision inside.
+    // The table was made in one run, and povray takes a curve it
+    // has met already (1/0.45455, of a_g22.png) for one that is nearly the same (2.2).
+    const bool shared_curve = sdl.find("gamma 2.2") != std::string::npos;
+    const bool single = mode == "gray" || mode == "rgbft" ||
+                        sdl.find("interpolate") != std::string::npos;
     const std::vector<size_t> edges = one.value("edge", std::vector<size_t>{});
-    int wrong = 0;
+    bool reported = false;
     for (size_t i = 0; i < points.size(); ++i) {
-      if (std::find(edges.begin(), edges.end(), i) != edges.end()) continue;
-      const Vec3 p(points[i][0], points[i][1], points[i][2]);
-      double value = pattern.value(p);
-      if (!reader.list.empty())
-        value = reader.list[std::min(static_cast<size_t>(value), reader.list.size() - 1)];
-      const auto& wanted = one["val"][i];
-      const double expected = wanted.is_number() ? wanted.get<double>() : NAN;
-      const bool same = std::isnan(expected) ? std::isnan(value)
-                                             : std::abs(value - expected) <= tolerance;
-      if (same) {
+      if (agrees(parsed.debug[i], one["val"][i], shared_curve ? 5e-6 : single ? 2e-6 : 1e-9)) {
         ++passed;
+      } else if (std::find(edges.begin(), edges.end(), i) != edges.end()) {
+        ++edges_off;  // on a discontinuity: either side will do
       } else {
         ++failed;
-        if (wrong++ == 0)
-          ADD_FAILURE() << text << " at " << p.x << " " << p.y << " " << p.z << ": " << value
-                        << ", povray " << expected;
+        if (!reported)
+          ADD_FAILURE() << one["id"] << " at " << points[i] << ": " << parsed.debug[i]
+                        << ", povray " << one["val"][i];
+        reported = true;
       }
     }
   }
-  std::printf("%d cases: %d passed, %d failed\n", cases, passed, failed);
-  EXPECT_GT(cases, 600);
+  std::printf("%d passed, %d failed (%d more lie on edges)\n", passed, failed, edges_off);
+  EXPECT_GT(passed, 23000);
   EXPECT_EQ(failed, 0);
-}
-
-// f_noise_generator(x,y,z,g): the noise of each generator.
-TEST(Patterns, NoiseAgreesWithTheTable) {
-  const nlohmann::json table = read_table("pattern_samples.json");
-  int checked = 0;
-  for (const auto& one : table["cases"]) {
-    if (one["mode"] != "expr") continue;
-    const std::string id = one["id"];
-    const int generator = contains(id, "g1") ? 1 : contains(id, "g3") ? 3 : 2;
-    const auto& points = table["points"][one["p"].get<std::string>()];
-    for (size_t i = 0; i < points.size(); ++i) {
-      EXPECT_NEAR(noise({points[i][0], points[i][1], points[i][2]}, generator),
-                  one["val"][i].get<double>(), 1e-10);
-      ++checked;
-    }
-  }
-  std::printf("%d passed, 0 failed\n", checked);
-  EXPECT_GE(checked, 90);
 }
 
 }  // namespace

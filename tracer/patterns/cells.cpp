@@ -27,50 +27,91 @@ class Cells : public BasePattern {
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
 };
 
-// The 81 cells that can hold one of the nearest points, near ones first.
-struct CellOffset {
+// The 81 cells that can hold one of the nearest points, as steps away from the cell of the point;
+// a positive step goes to the side on which the point lies. Near ones first.
+struct CellStep {
   int8_t x, y, z;
 };
-constexpr std::array<CellOffset, 81> kOffsets = [] {
-  std::array<CellOffset, 81> offsets{};
+constexpr int kCells = 81;
+// Sixteenths of the squared gap between a step's cell and a point a quarter off the middle; steps of
+// two come after all others.
+constexpr int typical_gap(int step) {
+  switch (step) {
+    case 0: return 0;
+    case 1: return 1;
+    case -1: return 9;
+    case 2: return 28;
+    default: return 49;
+  }
+}
+constexpr std::array<CellStep, kCells> kSteps = [] {
+  std::array<CellStep, kCells> steps{};
   size_t count = 0;
-  for (int ring = 0; ring <= 6; ++ring) {
+  for (int gap = 0; gap <= 3 * 49; ++gap) {
     for (int x = -2; x <= 2; ++x) {
       for (int y = -2; y <= 2; ++y) {
         for (int z = -2; z <= 2; ++z) {
-          const int squared = x * x + y * y + z * z;
           const int far = (x * x == 4) + (y * y == 4) + (z * z == 4);
-          if (squared == ring && far <= 1)
-            offsets[count++] = {static_cast<int8_t>(x), static_cast<int8_t>(y),
-                                static_cast<int8_t>(z)};
+          if (far <= 1 && typical_gap(x) + typical_gap(y) + typical_gap(z) == gap)
+            steps[count++] = {static_cast<int8_t>(x), static_cast<int8_t>(y),
+                              static_cast<int8_t>(z)};
         }
       }
     }
   }
-  return offsets;
+  return steps;
 }();
+// From here on a cell lies two steps away along some axis: a whole unit or more.
+constexpr int kAdjacentCells = 27;
+static_assert([] {
+  for (int i = 0; i < kCells; ++i) {
+    const CellStep& s = kSteps[static_cast<size_t>(i)];
+    const bool adjacent = s.x * s.x <= 1 && s.y * s.y <= 1 && s.z * s.z <= 1;
+    if (adjacent != (i < kAdjacentCells)) return false;
+  }
+  return true;
+}());
 
 class Crackle : public BasePattern {
  public:
   Crackle(const PatternNode& node, const PatternSettings& settings)
       : parameters_(node.crackle),
-        generator_(node.noise_generator ? node.noise_generator : settings.noise_generator),
-        can_skip_(node.crackle.metric > 0) {}
+        generator_(noise_generator_of(node, settings)),
+        random_(pattern_random_table().data()),
+        can_skip_(node.crackle.metric > 0),
+        needed_(parameters_.solid ? 0 : parameters_.form.z != 0 ? 2 : parameters_.form.y != 0 ? 1 : 0) {}
 
   double base_value(const Vec3& p, const PatternContext&) const override {
     const Vec3 cell = glm::floor(p - Vec3(kEpsilon));
-    const Vec3 inside = p - cell;
+    // Along each axis: the way to the point's side, and how far the cell of a step is away there.
+    double gap[3][5];
+    int side[3], place[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      place[axis] = static_cast<int>(static_cast<int64_t>(cell[axis]) & 4095);
+      const double inside = p[axis] - cell[axis];
+      side[axis] = inside >= 0.5 ? 1 : -1;
+      const double to_side = inside >= 0.5 ? 1 - inside : inside;
+      gap[axis][0] = part(2 - to_side);
+      gap[axis][1] = part(1 - to_side);
+      gap[axis][2] = 0;
+      gap[axis][3] = part(to_side);
+      gap[axis][4] = part(1 + to_side);
+    }
     double nearest[3] = {1e300, 1e300, 1e300};
     Vec3 nearest_point(0);
-    for (const CellOffset& offset : kOffsets) {
-      const Vec3 step(offset.x, offset.y, offset.z);
-      // A cell that lies further off than the third nearest point cannot change the answer.
+    for (int i = 0; i < kCells; ++i) {
+      const CellStep& step = kSteps[static_cast<size_t>(i)];
+      // A cell that lies further off than the last point that counts cannot change the answer.
       if (can_skip_) {
-        const Vec3 gap = glm::max(Vec3(0), glm::max(step - inside, inside - step - Vec3(1)));
-        if (measure(gap) * (1 - 1e-12) >= nearest[2]) continue;
+        const double limit = nearest[needed_];
+        if (i == kAdjacentCells && limit <= 1 - 1e-9) break;
+        const double least = gap[0][step.x + 2] + gap[1][step.y + 2] + gap[2][step.z + 2];
+        if (least * (1 - 1e-12) >= limit) continue;
       }
-      const Vec3 candidate = cell + step;
-      const Vec3 feature = candidate + random_vector_of_cell(candidate);
+      const int dx = step.x * side[0], dy = step.y * side[1], dz = step.z * side[2];
+      const int q = hash_cell(place[0] + dx, place[1] + dy, place[2] + dz);
+      const Vec3 candidate = cell + Vec3(dx, dy, dz);
+      const Vec3 feature = candidate + Vec3(random_[q], random_[q + 1], random_[q + 2]);
       const double distance = measure(feature - p);
       if (distance < nearest[0]) {
         nearest[2] = nearest[1];
@@ -86,12 +127,17 @@ class Crackle : public BasePattern {
     }
     if (parameters_.solid) return std::clamp(noise(nearest_point, generator_), 0.0, 1.0);
     double value = 0;
-    for (int i = 0; i < 3; ++i) value += parameters_.form[i] * root(nearest[i]);
+    for (int i = 0; i <= needed_; ++i) value += parameters_.form[i] * root(nearest[i]);
     return std::clamp(value, 0.0, 1.0);
   }
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
 
  private:
+  // One axis' share of the measure.
+  double part(double d) const {
+    if (parameters_.metric == 2) return d * d;
+    return parameters_.metric == 1 ? std::abs(d) : std::pow(std::abs(d), parameters_.metric);
+  }
   double measure(const Vec3& d) const {
     if (parameters_.metric == 2) return dot(d, d);
     if (parameters_.metric == 1) return std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
@@ -107,7 +153,9 @@ class Crackle : public BasePattern {
 
   CrackleParameters parameters_;
   int generator_;
+  const double* random_;  // pattern_random_table()
   bool can_skip_;  // distance grows with each component
+  int needed_;     // the last of the nearest points, from 0, that matters
 };
 
 }  // namespace

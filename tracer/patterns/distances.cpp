@@ -9,6 +9,7 @@
 //   pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } }
 //
 // Source: spec/textures.md 6.
+#include <algorithm>
 #include <cmath>
 
 #include "tracer/patterns/pattern_factories.h"
@@ -29,6 +30,17 @@ class Gradient : public BasePattern {
     const double t = dot(p, direction_);
     return t > 1 ? std::fmod(t, 1.0) : t;
   }
+  ValueRange base_range(const Bounds& box) const override {
+    double low = 0, high = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = box.min[axis] * direction_[axis], b = box.max[axis] * direction_[axis];
+      low += std::min(a, b);
+      high += std::max(a, b);
+    }
+    low -= 1e-9 * std::abs(low);  // the sum's rounding
+    high += 1e-9 * std::abs(high);
+    return high <= 1 ? ValueRange{low, high} : ValueRange{std::min(low, 0.0), 1};
+  }
 
  private:
   Vec3 direction_;
@@ -38,6 +50,27 @@ template <double (*Formula)(const Vec3&)>
 class PointPattern : public BasePattern {
  public:
   double base_value(const Vec3& p, const PatternContext&) const override { return Formula(p); }
+  ValueRange base_range(const Bounds&) const override { return {0, 1}; }
+};
+
+// Falls with the distance of each coordinate from 0.
+template <double (*Formula)(const Vec3&)>
+class FallingPattern : public PointPattern<Formula> {
+ public:
+  ValueRange base_range(const Bounds& box) const override {
+    Vec3 near, far;
+    for (int axis = 0; axis < 3; ++axis) {
+      near[axis] = std::max({0.0, box.min[axis], -box.max[axis]});
+      far[axis] = std::max(std::abs(box.min[axis]), std::abs(box.max[axis]));
+    }
+    return {Formula(far), Formula(near)};
+  }
+};
+
+template <double (*Formula)(const Vec3&)>
+class AnglePattern : public PointPattern<Formula> {
+ public:
+  ValueRange base_range(const Bounds&) const override { return {0.25, 1.25}; }
 };
 
 double planar(const Vec3& p) { return density(std::abs(p.y)); }
@@ -56,36 +89,31 @@ double leopard(const Vec3& p) {
   return mean * mean;
 }
 
-template <double (*Formula)(const Vec3&)>
-std::unique_ptr<const BasePattern> make() {
-  return std::make_unique<PointPattern<Formula>>();
-}
-
 }  // namespace
 
 std::unique_ptr<const BasePattern> make_gradient(const PatternNode& node, const PatternSettings&) {
   return std::make_unique<Gradient>(node.gradient);
 }
 std::unique_ptr<const BasePattern> make_planar(const PatternNode&, const PatternSettings&) {
-  return make<planar>();
+  return std::make_unique<FallingPattern<planar>>();
 }
 std::unique_ptr<const BasePattern> make_cylindrical(const PatternNode&, const PatternSettings&) {
-  return make<cylindrical>();
+  return std::make_unique<FallingPattern<cylindrical>>();
 }
 std::unique_ptr<const BasePattern> make_spherical(const PatternNode&, const PatternSettings&) {
-  return make<spherical>();
+  return std::make_unique<FallingPattern<spherical>>();
 }
 std::unique_ptr<const BasePattern> make_boxed(const PatternNode&, const PatternSettings&) {
-  return make<boxed>();
+  return std::make_unique<FallingPattern<boxed>>();
 }
 std::unique_ptr<const BasePattern> make_onion(const PatternNode&, const PatternSettings&) {
-  return make<onion>();
+  return std::make_unique<PointPattern<onion>>();
 }
 std::unique_ptr<const BasePattern> make_radial(const PatternNode&, const PatternSettings&) {
-  return make<radial>();
+  return std::make_unique<AnglePattern<radial>>();
 }
 std::unique_ptr<const BasePattern> make_leopard(const PatternNode&, const PatternSettings&) {
-  return make<leopard>();
+  return std::make_unique<PointPattern<leopard>>();
 }
 
 }  // namespace durer

@@ -10,7 +10,7 @@
 
 #include "tracer/image/image.h"
 #include "tracer/patterns/pattern_factories.h"
-#include "tracer/scene/not_supported.h"
+#include "tracer/patterns/pattern_grey.h"
 
 namespace durer {
 namespace {
@@ -26,7 +26,7 @@ class ImagePattern : public BasePattern {
     if (!sampler_.locate(p, x, y)) return 0;
     const ColorRGBFT c = sampler_.color(x, y);
     if (use_alpha_) return static_cast<double>(has_alpha_ ? c.transmit : c.red);
-    return std::clamp(static_cast<double>(c.rgb().grey()), 0.0, 1.0);
+    return std::clamp(static_cast<double>(pattern_grey(c)), 0.0, 1.0);
   }
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
 
@@ -39,7 +39,6 @@ class ImagePattern : public BasePattern {
 
 std::unique_ptr<const BasePattern> make_image_pattern(const PatternNode& node,
                                                       const PatternSettings& settings) {
-  if (!settings.images) throw NotSupported("image_pattern here", node.position);
   return std::make_unique<ImagePattern>(settings.images->get(*node.image, ImageUse::raw),
                                         *node.image);
 }

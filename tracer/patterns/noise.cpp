@@ -85,44 +85,69 @@ DURER_INLINE int locate(double v, double& offset) {
   return static_cast<int>((cell + 10000) & 4095);
 }
 
-// Adds the eight corners, each times its weight, to one row of partial sums per component.
-template <int kComponents>
-DURER_INLINE void add_corners(const Vec3& p, Row sums[kComponents]) {
+// The eight corners of a cell: the rows of figures that belong to them, for one value, and their
+// weights; corner i lies at (i & 1, i >> 1 & 1, i >> 2).
+struct Corners {
+  int row[8];
+  double weight[8];
   double fx, fy, fz;
-  const int ix = locate(p.x, fx), iy = locate(p.y, fy), iz = locate(p.z, fz);
+};
+
+DURER_INLINE Corners corners_of(const Vec3& p) {
+  Corners c;
+  const int ix = locate(p.x, c.fx), iy = locate(p.y, c.fy), iz = locate(p.z, c.fz);
   // Fourteen look-ups: those of x and xy are shared.
   const int hx0 = kLatticeHash[ix], hx1 = kLatticeHash[ix + 1];
-  const int h00 = kLatticeHash[hx0 ^ iy], h10 = kLatticeHash[hx1 ^ iy];
-  const int h01 = kLatticeHash[hx0 ^ (iy + 1)], h11 = kLatticeHash[hx1 ^ (iy + 1)];
-
-  const double sx = s_curve(fx), sy = s_curve(fy), sz = s_curve(fz);
+  const int hash[4] = {kLatticeHash[hx0 ^ iy], kLatticeHash[hx1 ^ iy],
+                       kLatticeHash[hx0 ^ (iy + 1)], kLatticeHash[hx1 ^ (iy + 1)]};
+  const double sx = s_curve(c.fx), sy = s_curve(c.fy), sz = s_curve(c.fz);
   const double tx = 1 - sx, ty = 1 - sy, tz = 1 - sz;
-  const double w00 = tx * ty, w10 = sx * ty, w01 = tx * sy, w11 = sx * sy;
+  const double weight[4] = {tx * ty, sx * ty, tx * sy, sx * sy};
+  for (int i = 0; i < 4; ++i) {
+    c.row[i] = kLatticeHash[hash[i] ^ iz] & 255;
+    c.row[i + 4] = kLatticeHash[hash[i] ^ (iz + 1)] & 255;
+    c.weight[i] = weight[i] * tz;
+    c.weight[i + 4] = weight[i] * sz;
+  }
+  return c;
+}
 
-  const Pair x0{1, fx}, x1{1, fx - 1};
-  const Pair y0z0{fy, fz}, y1z0{fy - 1, fz}, y0z1{fy, fz - 1}, y1z1{fy - 1, fz - 1};
-  const auto corner = [&](int hash, double weight, const Pair& x, const Pair& yz)
-                          __attribute__((always_inline)) {
-    const int k = kLatticeHash[hash] & 255;
-    const Row offsets = __builtin_shufflevector(x, yz, 0, 1, 2, 3) * weight;
-    for (int c = 0; c < kComponents; ++c) sums[c] += kLatticeRows.row[k + 4 * c] * offsets;
-  };
-  corner(h00 ^ iz, w00 * tz, x0, y0z0);
-  corner(h10 ^ iz, w10 * tz, x1, y0z0);
-  corner(h01 ^ iz, w01 * tz, x0, y1z0);
-  corner(h11 ^ iz, w11 * tz, x1, y1z0);
-  corner(h00 ^ (iz + 1), w00 * sz, x0, y0z1);
-  corner(h10 ^ (iz + 1), w10 * sz, x1, y0z1);
-  corner(h01 ^ (iz + 1), w01 * sz, x0, y1z1);
-  corner(h11 ^ (iz + 1), w11 * sz, x1, y1z1);
+// One value: the weighted rows are summed up first, and what the offsets fx - 1, fy - 1, fz - 1 of the
+// far corners have less than fx, fy, fz is taken off at last.
+DURER_INLINE void corner_sum(const Vec3& p, Row& sum) {
+  const Corners c = corners_of(p);
+  Row a[8];
+  for (int i = 0; i < 8; ++i) a[i] = kLatticeRows.row[c.row[i]] * c.weight[i];
+  const Row b0 = a[0] + a[1], b1 = a[2] + a[3], b2 = a[4] + a[5], b3 = a[6] + a[7];
+  const Row far_x = (a[1] + a[3]) + (a[5] + a[7]), far_y = b1 + b3, far_z = b2 + b3;
+  const Row offsets{1, c.fx, c.fy, c.fz}, excess{0, far_x[1], far_y[2], far_z[3]};
+  sum = ((b0 + b1) + far_z) * offsets - excess;
+}
+
+// Three values share the offsets: each corner's are weighted once.
+DURER_INLINE void add_corners(const Vec3& p, Row sums[3]) {
+  const Corners c = corners_of(p);
+  const Pair x0{1, c.fx}, x1{1, c.fx - 1};
+  const Pair yz[4] = {{c.fy, c.fz}, {c.fy - 1, c.fz}, {c.fy, c.fz - 1}, {c.fy - 1, c.fz - 1}};
+  // Pairs of corners along x: short chains of additions let the processor overlap them.
+  Row pair[4][3];
+  for (int i = 0; i < 4; ++i) {
+    const Row offsets0 = __builtin_shufflevector(x0, yz[i], 0, 1, 2, 3) * c.weight[2 * i];
+    const Row offsets1 = __builtin_shufflevector(x1, yz[i], 0, 1, 2, 3) * c.weight[2 * i + 1];
+    for (int k = 0; k < 3; ++k) {
+      pair[i][k] = kLatticeRows.row[c.row[2 * i] + 4 * k] * offsets0 +
+                   kLatticeRows.row[c.row[2 * i + 1] + 4 * k] * offsets1;
+    }
+  }
+  for (int k = 0; k < 3; ++k) sums[k] += (pair[0][k] + pair[1][k]) + (pair[2][k] + pair[3][k]);
 }
 
 DURER_INLINE double total(const Row& row) { return (row[0] + row[1]) + (row[2] + row[3]); }
 
 DURER_INLINE double lattice_noise(const Vec3& p) {
-  Row sum[1] = {};
-  add_corners<1>(p, sum);
-  return total(sum[0]);
+  Row sum;
+  corner_sum(p, sum);
+  return total(sum);
 }
 
 DURER_INLINE double clamped(double v) { return v < 0 ? 0 : v > 1 ? 1 : v; }
@@ -217,6 +242,32 @@ DURER_KERNEL double lattice_turbulence(const Vec3& p, int octaves, double omega,
   return sum;
 }
 
+// Terms of granite and wrinkles (spec/textures.md 6).
+DURER_INLINE double granite_term(double n, int generator) {
+  return generator == 1 ? std::abs(0.5 - n) : std::min(0.5, std::abs(1.0 - 2.0 * n));
+}
+DURER_INLINE double wrinkles_term(double n, int generator) {
+  return generator == 1 ? n : clamped(2 * n - 0.5);
+}
+
+DURER_KERNEL double lattice_granite(const Vec3& p, int generator) {
+  double sum = 0, frequency = 4, share = 1;
+  for (int i = 0; i < 6; ++i, frequency *= 2, share *= 0.5) {
+    const Vec3 q = p * frequency;
+    sum += granite_term(generator == 1 ? original_noise(q) : corrected_noise(q), generator) * share;
+  }
+  return sum;
+}
+
+DURER_KERNEL double lattice_wrinkles(const Vec3& p, int generator) {
+  double sum = 0, frequency = 1, share = 1;
+  for (int i = 0; i < 10; ++i, frequency *= 2, share *= 0.5) {
+    const Vec3 q = p * frequency;
+    sum += wrinkles_term(generator == 1 ? original_noise(q) : corrected_noise(q), generator) * share;
+  }
+  return sum / 2;
+}
+
 double perlin_noise(const Vec3& p) { return clamped(0.5 * (1.59 * gradient_noise(p) + 0.985)); }
 
 double perlin_turbulence(const Vec3& p, int octaves, double omega, double lambda) {
@@ -238,23 +289,52 @@ double noise(const Vec3& p, int generator) {
 
 DURER_KERNEL Vec3 vector_noise(const Vec3& p) {
   Row sums[3] = {};
-  add_corners<3>(p, sums);
+  add_corners(p, sums);
   return {total(sums[0]), total(sums[1]), total(sums[2])};
 }
 
 DURER_KERNEL Vec3 vector_turbulence(const Vec3& p, int octaves, double omega, double lambda) {
   // Partial sums stay in rows until the last octave.
   Row sums[3] = {};
-  add_corners<3>(p, sums);
+  add_corners(p, sums);
   double frequency = lambda, amplitude = omega;
   for (int i = 1; i < octaves; ++i) {
     Row octave[3] = {};
-    add_corners<3>(p * frequency, octave);
+    add_corners(p * frequency, octave);
     for (int c = 0; c < 3; ++c) sums[c] += octave[c] * amplitude;
     frequency *= lambda;
     amplitude *= omega;
   }
   return {total(sums[0]), total(sums[1]), total(sums[2])};
+}
+
+DURER_KERNEL Vec3 vector_wrinkles(const Vec3& p) {
+  Vec3 result(0);
+  double frequency = 1, share = 1;
+  for (int i = 0; i < 10; ++i, frequency *= 2, share *= 0.5) {
+    Row sums[3] = {};
+    add_corners(p * frequency, sums);
+    result.x += std::abs(total(sums[0])) * share;
+    result.y += std::abs(total(sums[1])) * share;
+    result.z += std::abs(total(sums[2])) * share;
+  }
+  return result;
+}
+
+double granite(const Vec3& p, int generator) {
+  if (generator != 3) return lattice_granite(p, generator);
+  double sum = 0, frequency = 4, share = 1;
+  for (int i = 0; i < 6; ++i, frequency *= 2, share *= 0.5)
+    sum += granite_term(perlin_noise(p * frequency), generator) * share;
+  return sum;
+}
+
+double wrinkles(const Vec3& p, int generator) {
+  if (generator != 3) return lattice_wrinkles(p, generator);
+  double sum = 0, frequency = 1, share = 1;
+  for (int i = 0; i < 10; ++i, frequency *= 2, share *= 0.5)
+    sum += wrinkles_term(perlin_noise(p * frequency), generator) * share;
+  return sum / 2;
 }
 
 double turbulence(const Vec3& p, int octaves, double omega, double lambda, int generator) {

@@ -14,6 +14,10 @@ Vec3 vector_noise(const Vec3& p);
 // Sums of octaves: omega^i · noise(lambda^i · p). octaves >= 1.
 Vec3 vector_turbulence(const Vec3& p, int octaves, double omega, double lambda);
 double turbulence(const Vec3& p, int octaves, double omega, double lambda, int generator);
+// What the patterns granite and wrinkles, and the normal wrinkles (per component), sum up.
+double granite(const Vec3& p, int generator);
+double wrinkles(const Vec3& p, int generator);
+Vec3 vector_wrinkles(const Vec3& p);
 
 // 32768 uniform numbers (spec/textures.md 2.7), and the triple that belongs to an integer cell.
 const std::vector<double>& pattern_random_table();

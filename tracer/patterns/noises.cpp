@@ -16,14 +16,23 @@
 namespace durer {
 namespace {
 
-int generator_of(const PatternNode& node, const PatternSettings& settings) {
-  return node.noise_generator != 0 ? node.noise_generator : settings.noise_generator;
+// Bounds of scalar turbulence (spec/textures.md 3).
+ValueRange turbulence_range(const Turbulence& t, int generator) {
+  double low = 0, high = 1, amplitude = 1;
+  for (int i = 1; i < t.octaves; ++i) {
+    amplitude *= static_cast<double>(t.omega);
+    const double a = amplitude * (generator == 1 ? 0.0 : -0.5);
+    const double b = amplitude * (generator == 1 ? 1.0 : 1.5);
+    low += std::min(a, b);
+    high += std::max(a, b);
+  }
+  return {low, high};
 }
 
 class NoisePattern : public BasePattern {
  public:
   NoisePattern(const PatternNode& node, const PatternSettings& settings)
-      : generator_(generator_of(node, settings)), turbulence_(node.turbulence) {}
+      : generator_(noise_generator_of(node, settings)), turbulence_(node.turbulence) {}
 
  protected:
   int generator_;
@@ -53,16 +62,7 @@ class Granite : public NoisePattern {
  public:
   using NoisePattern::NoisePattern;
   double base_value(const Vec3& p, const PatternContext&) const override {
-    double sum = 0, frequency = 4, divisor = 1;
-    for (int i = 0; i < 6; ++i) {
-      const double n = noise(p * frequency, generator_);
-      const double a =
-          generator_ == 1 ? std::abs(0.5 - n) : std::min(0.5, std::abs(1.0 - 2.0 * n));
-      sum += a / divisor;
-      frequency *= 2;
-      divisor *= 2;
-    }
-    return sum;
+    return granite(p, generator_);
   }
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
 };
@@ -71,14 +71,7 @@ class Wrinkles : public NoisePattern {
  public:
   using NoisePattern::NoisePattern;
   double base_value(const Vec3& p, const PatternContext&) const override {
-    double sum = 0, scale = 1;
-    for (int i = 0; i < 10; ++i) {
-      double n = noise(p * scale, generator_);
-      if (generator_ > 1) n = std::clamp(2 * n - 0.5, 0.0, 1.0);
-      sum += n / scale;
-      scale *= 2;
-    }
-    return sum / 2;
+    return wrinkles(p, generator_);
   }
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
 };
@@ -110,6 +103,13 @@ class Marble : public NoisePattern {
                                                      turbulence_.lambda, generator_);
   }
 
+  ValueRange base_range(const Bounds& box) const override {
+    if (!turbulent_) return {box.min.x, box.max.x};
+    const ValueRange t = turbulence_range(turbulence_, generator_);
+    const double a = turbulence_.strength.x * t.lower, b = turbulence_.strength.x * t.upper;
+    return {box.min.x + std::min(a, b), box.max.x + std::max(a, b)};
+  }
+
  private:
   bool turbulent_;
 };
@@ -127,6 +127,19 @@ class Wood : public NoisePattern {
       b = cycle((p.y + d.y) * turbulence_.strength.y);
     }
     return std::sqrt((p.x + a) * (p.x + a) + (p.y + b) * (p.y + b));
+  }
+  ValueRange base_range(const Bounds& box) const override {
+    // The slot shifts x and y by at most 1.
+    const double slack = turbulent_ ? 1 : 0;
+    double near = 0, far = 0;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double low = box.min[axis] - slack, high = box.max[axis] + slack;
+      const double least = std::max({0.0, low, -high});
+      const double most = std::max(std::abs(low), std::abs(high));
+      near += least * least;
+      far += most * most;
+    }
+    return {std::sqrt(near), std::sqrt(far)};
   }
 
  private:

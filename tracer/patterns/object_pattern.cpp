@@ -5,12 +5,12 @@
 //   pigment { function { sin(x) * y } color_map { ... } }      folded above 1
 //
 // Source: spec/textures.md 6.
+#include <algorithm>
 #include <cmath>
 
 #include "tracer/functions/compiled_function.h"
 #include "tracer/patterns/pattern_factories.h"
 #include "tracer/scene/function.h"
-#include "tracer/scene/not_supported.h"
 
 namespace durer {
 namespace {
@@ -47,6 +47,10 @@ class FunctionPattern : public BasePattern {
     const double v = function_->value(p);
     return v > 1 ? std::fmod(v, 1.0) : v;
   }
+  ValueRange base_range(const Bounds& box) const override {
+    const ValueRange range = function_->range(box);
+    return range.upper <= 1 ? range : ValueRange{std::min(range.lower, 0.0), 1};
+  }
 
  private:
   std::shared_ptr<const ScalarField> function_;
@@ -56,13 +60,11 @@ class FunctionPattern : public BasePattern {
 
 std::unique_ptr<const BasePattern> make_object(const PatternNode& node,
                                                const PatternSettings& settings) {
-  if (!settings.services) throw NotSupported("the pattern 'object' here", node.position);
   return std::make_unique<ObjectPattern>(settings.services->inside_test(node.object));
 }
 
 std::unique_ptr<const BasePattern> make_pigment_pattern(const PatternNode& node,
                                                         const PatternSettings& settings) {
-  if (!settings.services) throw NotSupported("pigment_pattern here", node.position);
   return std::make_unique<PigmentPattern>(settings.services->grey_field(node.pigment));
 }
 

@@ -2,13 +2,17 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/wave_sources.h"
-#include "tracer/scene/not_supported.h"
 
 namespace durer {
 namespace {
+
+// Not 1: a value of 1 stays 1.
+constexpr double kFold = 1.00001;
 
 // These use the slot in their own formula instead (spec/textures.md 3.1).
 bool uses_turbulence_itself(PatternKind kind) {
@@ -28,8 +32,7 @@ Pattern::Pattern(const PatternNode& node, const PatternSettings& settings)
                  node.turbulence.strength != Vec3(0)) {
   const PatternFactory factory = find_pattern_factory(node.kind);
   if (!factory) {
-    throw NotSupported(std::string("the pattern '") + pattern_name(node.kind) + "'",
-                       node.position);
+    throw std::logic_error(std::string(pattern_name(node.kind)) + " has no value of its own");
   }
   base_ = factory(node, settings);
 }
@@ -45,10 +48,70 @@ Vec3 Pattern::warp_point(const Vec3& p) const {
 
 double Pattern::value_at_warped(const Vec3& warped, const PatternContext& context) const {
   double v = base_->base_value(warped, context);
-  if (node_.frequency != 0) v = std::fmod(v * node_.frequency + node_.phase, 1.00001);
+  if (node_.frequency != 0) {
+    v = v * node_.frequency + node_.phase;
+    // fmod is slow, and most values need no folding.
+    if (!(v >= 0 && v < kFold)) v = std::fmod(v, kFold);
+  }
   if (v < 0) v -= std::floor(v);
   apply_waves(v);
   return v;
+}
+
+// The box that the pattern sees. Other warps than transforms may take a point anywhere.
+Bounds Pattern::warped_bounds(Bounds box) const {
+  if (displaces_) return Bounds::everything();
+  for (auto it = node_.warps.rbegin(); it != node_.warps.rend(); ++it) {
+    const auto* transform = std::get_if<Transform>(&*it);
+    if (!transform || !box.is_bounded()) return Bounds::everything();
+    box = transform->inverted().bounds(box);
+  }
+  return box;
+}
+
+void Pattern::values(const Vec3 points[8], double out[8]) const {
+  const PatternContext nowhere;
+  for (int i = 0; i < 8; ++i) out[i] = value_at_warped(warp_point(points[i]), nowhere);
+}
+
+ValueRange Pattern::range(const Bounds& box) const {
+  ValueRange range = base_->base_range(warped_bounds(box));
+  if (node_.frequency != 0) {
+    const double frequency = node_.frequency, phase = node_.phase;
+    const double a = range.lower * frequency + phase, b = range.upper * frequency + phase;
+    range = {std::min(a, b), std::max(a, b)};
+    // fmod folds what lies beyond; it keeps the sign.
+    if (!(range.lower > -kFold && range.upper < kFold))
+      range = {range.lower < 0 ? -kFold : 0.0, range.upper > 0 ? kFold : 0.0};
+  }
+  // Negative values wrap into [0,1).
+  if (range.lower < 0) range = {0, std::max(range.upper, 1.0)};
+  return range_of_waves(range);
+}
+
+// Of a range that starts at 0 or above.
+ValueRange Pattern::range_of_waves(ValueRange range) const {
+  switch (node_.wave) {
+    case WaveKind::ramp:
+      return range;
+    case WaveKind::sine:
+    case WaveKind::triangle:
+    case WaveKind::scallop:
+      return {0, 1};
+    case WaveKind::cubic: {
+      // Grows up to 1, falls from there on.
+      const auto cubic = [](double v) { return v * v * (3 - 2 * v); };
+      const double a = cubic(range.lower), b = cubic(range.upper);
+      const bool has_top = range.lower <= 1 && range.upper >= 1;
+      return {std::min(a, b), has_top ? 1.0 : std::max(a, b)};
+    }
+    case WaveKind::poly: {
+      const double exponent = node_.wave_exponent;
+      const double a = std::pow(range.lower, exponent), b = std::pow(range.upper, exponent);
+      return {std::min(a, b), std::max(a, b)};
+    }
+  }
+  return range;
 }
 
 void Pattern::apply_waves(double& v) const {

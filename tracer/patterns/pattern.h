@@ -44,9 +44,14 @@ class ImageCache;
 struct PatternSettings {
   int noise_generator = 2;  // the scene's; a pattern's own goes first
   int number_of_waves = 10;
-  ImageCache* images = nullptr;  // null: image_pattern is not supported
-  const PatternServices* services = nullptr;  // null: `object`, `pigment_pattern` not supported
+  ImageCache* images = nullptr;               // needed by image_pattern
+  const PatternServices* services = nullptr;  // needed by `object` and pigment_pattern
 };
+
+// Which noise a pattern uses.
+inline int noise_generator_of(const PatternNode& node, const PatternSettings& settings) {
+  return node.noise_generator ? node.noise_generator : settings.noise_generator;
+}
 
 // The value of a pattern before frequency, phase and wave form, at a warped point.
 class BasePattern {
@@ -66,7 +71,6 @@ const char* pattern_name(PatternKind kind);
 
 class Pattern : public ScalarField {
  public:
-  // Throws NotSupported for patterns that cannot be evaluated yet.
   Pattern(const PatternNode& node, const PatternSettings& settings);
 
   // The point that the pattern (and children of its map) sees.
@@ -77,9 +81,13 @@ class Pattern : public ScalarField {
     return value_at_warped(warp_point(p), context);
   }
   double value(const Vec3& p) const override { return value(p, PatternContext{}); }
+  void values(const Vec3 points[8], double out[8]) const override;
+  ValueRange range(const Bounds& box) const override;
 
  private:
   void apply_waves(double& value) const;
+  Bounds warped_bounds(Bounds box) const;
+  ValueRange range_of_waves(ValueRange range) const;
 
   PatternNode node_;
   bool displaces_;           // the turbulence slot moves the point

@@ -32,7 +32,7 @@ class Spiral : public BasePattern {
         second_(second),
         turbulent_(node.has_turbulence),
         turbulence_(node.turbulence),
-        generator_(node.noise_generator ? node.noise_generator : settings.noise_generator) {}
+        generator_(noise_generator_of(node, settings)) {}
 
   double base_value(const Vec3& p, const PatternContext&) const override {
     const double radius = std::sqrt(p.x * p.x + p.y * p.y);
@@ -66,6 +66,13 @@ class Quilted : public BasePattern {
     const double s = 1.154700538 * (t * t * t + 3 * t * (u * u * control0_ + t * u * control1_));
     return s * (std::abs(w.x) + std::abs(w.y) + std::abs(w.z)) / 3;
   }
+  // t is at most half the cube's diagonal; t·u² and t²·u are at most 4/27, the mean of |w| 1/2.
+  ValueRange base_range(const Bounds&) const override {
+    const double c0 = control0_, c1 = control1_;
+    const double low = 0.58 * (0.4445 * std::min(c0, 0.0) + 0.4445 * std::min(c1, 0.0));
+    const double high = 0.58 * (0.65 + 0.4445 * std::max(c0, 0.0) + 0.4445 * std::max(c1, 0.0));
+    return {low, high};
+  }
 
  private:
   double control0_, control1_;
@@ -92,6 +99,13 @@ class RippleOrWave : public BasePattern {
     }
     const double mean = sum / static_cast<double>(sources_.size());
     return waves_ ? 0.2 * (2.5 + mean) : 0.5 * (1 + mean);
+  }
+  ValueRange base_range(const Bounds&) const override {
+    if (!waves_) return {0, 1};
+    double most = 0;
+    for (const WaveSource& source : sources_) most += 1 / source.frequency;
+    most /= static_cast<double>(sources_.size());
+    return {0.2 * (2.5 - most), 0.2 * (2.5 + most)};
   }
 
  private:

@@ -20,15 +20,17 @@ double color_distance(const RGB& a, const RGB& b) {
 
 // Filters of all layers multiply; `caustics` brightens where the light crosses head-on.
 RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& texture,
-                          const Vec3& point, const TextureContext& context, float caustics) {
+                          const Vec3& point, const TextureContext& context, float caustics,
+                          EnclosingFrames& frames) {
   if (texture.selector) {
     WeightedTexture children[TextureSelector::kMostTextures];
     Vec3 child_point;
     const int count = texture.selector->select(point, context, child_point, children);
+    frames.enter(texture.frame);
     RGB sum(0.0f);
     for (int i = 0; i < count; ++i) {
       sum += children[i].weight * texture_transmittance(scene, *children[i].texture, child_point,
-                                                        context, caustics);
+                                                        context, caustics, frames);
     }
     return sum;
   }
@@ -39,10 +41,7 @@ RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& text
     product *= c.rgb() * c.filter + RGB(c.transmit);
     const float q = layer.finish.legacy_caustics >= 0 ? layer.finish.legacy_caustics : caustics;
     if (q != 0) {
-      Vec3 normal = context.normal;
-      if (layer.normal && scene.options.quality >= 8) {
-        normal = layer.normal->perturb(point, context, normal);
-      }
+      const Vec3 normal = normalize_or_zero(layer_normal(layer, frames, point, context));
       const double cosine = std::abs(dot(normal, context.ray_direction));
       product *= static_cast<float>(1 + std::pow(cosine, q));
     }
@@ -69,6 +68,7 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
                           const Vec3& direction, const InteriorList& interiors,
                           double segment_length) {
   TextureContext context;
+  context.has_surface = true;
   context.ray_direction = direction;
   context.normal = dot(surface.normal, direction) > 0 ? -surface.normal : surface.normal;
   context.world_point = surface.point;
@@ -82,8 +82,9 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
   for (int i = 0; i < surface.share_count; ++i) {
     const TextureShare& share = surface.shares[i];
     if (surface.share_count > 1 && share.weight < scene.scene.settings.adc_bailout) continue;
+    EnclosingFrames frames;
     sum += share.weight * texture_transmittance(scene, *scene.textures[share.texture], point,
-                                                context, caustics);
+                                                context, caustics, frames);
   }
   if (interior.node && interior.node->fade_power > 0 &&
       std::abs(interior.node->fade_distance) > kEpsilon &&

@@ -91,6 +91,7 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
   const int interior = surface.object->interior;
   SurfaceHit hit{surface, scene_.world->interiors()[interior], {}, depth,
                  ray.interiors.find(interior) >= 0};
+  hit.context.has_surface = true;
   hit.context.ray_direction = ray.direction;
   hit.context.normal =
       dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
@@ -100,7 +101,8 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
       surface.object->uv_mapping ? Vec3(surface.uv.x, surface.uv.y, 0) : surface.point;
 
   if (surface.share_count == 1) {
-    shade_texture(ray, hit, *scene_.textures[surface.shares[0].texture], point, counts,
+    EnclosingFrames frames;
+    shade_texture(ray, hit, *scene_.textures[surface.shares[0].texture], point, frames, counts,
                   result.color, result.transmit);
     return;
   }
@@ -109,7 +111,9 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
     if (share.weight < scene_.scene.settings.adc_bailout) continue;
     RGB color(0.0f);
     float transmit = 0;
-    shade_texture(ray, hit, *scene_.textures[share.texture], point, counts, color, transmit);
+    EnclosingFrames frames;
+    shade_texture(ray, hit, *scene_.textures[share.texture], point, frames, counts, color,
+                  transmit);
     result.color += share.weight * color;
     result.transmit += share.weight * transmit;
   }
@@ -117,16 +121,18 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
 
 void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hit,
                                       const CompiledTexture& texture, const Vec3& point,
-                                      RayCounts& counts, RGB& color, float& transmit) const {
+                                      EnclosingFrames& frames, RayCounts& counts, RGB& color,
+                                      float& transmit) const {
   // Patterned textures shade every child completely and blend the results.
   if (texture.selector) {
     WeightedTexture children[TextureSelector::kMostTextures];
     Vec3 child_point;
     const int count = texture.selector->select(point, hit.context, child_point, children);
+    frames.enter(texture.frame);
     for (int i = 0; i < count; ++i) {
       RGB child_color(0.0f);
       float child_transmit = 0;
-      shade_texture(ray, hit, *children[i].texture, child_point, counts, child_color,
+      shade_texture(ray, hit, *children[i].texture, child_point, frames, counts, child_color,
                     child_transmit);
       color += children[i].weight * child_color;
       transmit += children[i].weight * child_transmit;
@@ -150,13 +156,17 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     if (trans <= bailout) break;
     // The layer's normal and colour.
     Vec3 normal = hit.context.normal;
-    if (layer.normal && quality >= 8) normal = layer.normal->perturb(point, hit.context, normal);
+    TextureContext context = hit.context;
+    if (layer.normal) {
+      context.normal = layer_normal(layer, frames, point, hit.context);
+      normal = normalize_or_zero(context.normal);
+    }
     if (!first_layer) {
       first_layer = &layer;
       top_normal = normal;
     }
     ColorRGBFT pigment;
-    const bool found = layer.pigment->evaluate(point, hit.context, pigment);
+    const bool found = layer.pigment->evaluate(point, context, pigment);
     found_any |= found;
 
     // Without lighting the picture is the pigment.

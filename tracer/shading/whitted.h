@@ -43,7 +43,8 @@ class WhittedIntegrator : public Integrator {
   void shade_surface(const TracedRay& ray, const SurfacePoint& surface, double depth,
                      RayCounts& counts, RayResult& result) const;
   void shade_texture(const TracedRay& ray, const SurfaceHit& hit, const CompiledTexture& texture,
-                     const Vec3& point, RayCounts& counts, RGB& color, float& transmit) const;
+                     const Vec3& point, EnclosingFrames& frames, RayCounts& counts, RGB& color,
+                     float& transmit) const;
   RGB shade_layer(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
                   const ColorRGBFT& pigment, const Vec3& normal, float opacity, const RGB& filter,
                   RayCounts& counts) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tracer/image/image.h"
+#include "tracer/texture/warp_chain.h"
 
 namespace durer {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 class ImagePigment final : public CompiledPigment {
  public:
   ImagePigment(const PigmentNode& node, const TextureSettings& settings)
-      : warps_(node.pattern.warps),
+      : warps_(chain_with_slot(node.pattern)),
         sampler_(settings.patterns.images->get(*node.pattern.image, ImageUse::color),
                  *node.pattern.image) {}
 
@@ -37,7 +38,7 @@ class MaterialSelector final : public TextureSelector {
   MaterialSelector(const TextureNode& node,
                    std::vector<std::shared_ptr<const CompiledTexture>> materials,
                    const TextureSettings& settings)
-      : warps_(node.pattern.warps),
+      : warps_(chain_with_slot(node.pattern)),
         sampler_(settings.patterns.images->get(*node.pattern.image, ImageUse::raw),
                  *node.pattern.image),
         materials_(std::move(materials)) {}

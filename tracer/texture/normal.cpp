@@ -6,35 +6,12 @@
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/wave_sources.h"
 #include "tracer/texture/blend_map.h"
+#include "tracer/texture/normal_frame.h"
 #include "tracer/texture/surface_texture.h"
+#include "tracer/texture/warp_chain.h"
 
 namespace durer {
 namespace {
-
-// Into the pattern's space and back: only transforms touch a normal (14.2).
-class NormalFrame {
- public:
-  NormalFrame(const std::vector<Warp>& warps, bool keep_length) : keep_length_(keep_length) {
-    for (auto it = warps.rbegin(); it != warps.rend(); ++it) {
-      if (const auto* transform = std::get_if<Transform>(&*it)) chain_.push_back(*transform);
-    }
-  }
-  Vec3 inwards(Vec3 n) const {
-    if (chain_.empty()) return n;
-    for (const Transform& t : chain_) n = t.inverse_normal(n);
-    return keep_length_ ? n : normalize_or_zero(n);
-  }
-  Vec3 outwards(Vec3 n) const {
-    if (!keep_length_) n = normalize_or_zero(n);
-    if (chain_.empty()) return n;
-    for (auto it = chain_.rbegin(); it != chain_.rend(); ++it) n = it->normal(n);
-    return keep_length_ ? n : normalize_or_zero(n);
-  }
-
- private:
-  std::vector<Transform> chain_;  // as applied to a point: last written first
-  bool keep_length_;
-};
 
 // How a pattern bends a normal at a point of its own space.
 class Bump {
@@ -71,10 +48,7 @@ class WrinklesBump : public Bump {
  public:
   explicit WrinklesBump(double amount) : amount_(amount) {}
   Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
-    Vec3 sum(0);
-    double scale = 1;
-    for (int i = 0; i < 10; ++i, scale *= 2) sum += glm::abs(vector_noise(q * scale)) / scale;
-    return n + amount_ * sum;
+    return n + amount_ * vector_wrinkles(q);
   }
 
  private:
@@ -206,16 +180,16 @@ std::unique_ptr<const Bump> make_bump(const NormalNode& node, const Pattern& pat
 
 class PatternNormal : public CompiledNormal {
  public:
-  PatternNormal(const NormalNode& node, const PatternSettings& settings)
-      : pattern_(node.pattern, settings),
-        frame_(node.pattern.warps, node.no_bump_scale),
-        bump_(make_bump(node, pattern_, settings)) {}
+  PatternNormal(const NormalNode& node, const TextureSettings& settings)
+      : pattern_(node.pattern, settings.patterns),
+        frame_(node.pattern.warps, settings.no_bump_scale),
+        bump_(make_bump(node, pattern_, settings.patterns)) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext& context,
                const Vec3& normal) const override {
     const Vec3 bent =
         bump_->bend(pattern_.warp_point(point), frame_.inwards(normal), context);
-    return normalize_or_zero(frame_.outwards(bent));
+    return frame_.outwards(bent);
   }
 
  private:
@@ -238,7 +212,7 @@ class MappedNormal : public CompiledNormal {
  public:
   MappedNormal(const NormalNode& node, const TextureSettings& settings)
       : pattern_(node.pattern, settings.patterns),
-        frame_(node.pattern.warps, node.no_bump_scale),
+        frame_(node.pattern.warps, settings.no_bump_scale),
         entries_(compile_entries(*node.normal_map, settings)) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext& context,
@@ -263,8 +237,8 @@ class MappedNormal : public CompiledNormal {
 class AverageNormal : public CompiledNormal {
  public:
   AverageNormal(const NormalNode& node, const TextureSettings& settings)
-      : warps_(node.pattern.warps),
-        frame_(node.pattern.warps, node.no_bump_scale),
+      : warps_(chain_with_slot(node.pattern)),
+        frame_(node.pattern.warps, settings.no_bump_scale),
         entries_(compile_entries(*node.normal_map, settings)) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext& context,
@@ -291,8 +265,8 @@ class AverageNormal : public CompiledNormal {
 class BumpMapNormal : public CompiledNormal {
  public:
   BumpMapNormal(const NormalNode& node, const TextureSettings& settings)
-      : warps_(node.pattern.warps),
-        frame_(node.pattern.warps, node.no_bump_scale),
+      : warps_(chain_with_slot(node.pattern)),
+        frame_(node.pattern.warps, settings.no_bump_scale),
         sampler_(settings.patterns.images->get(*node.pattern.image, ImageUse::raw),
                  *node.pattern.image),
         amount_(static_cast<double>(node.bump_size)),
@@ -348,7 +322,9 @@ class UvNormal : public CompiledNormal {
 }  // namespace
 
 std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
-                                                     const TextureSettings& settings) {
+                                                     const TextureSettings& outer) {
+  TextureSettings settings = outer;
+  settings.no_bump_scale = outer.no_bump_scale || node.no_bump_scale;
   switch (node.pattern.kind) {
     case PatternKind::uv_mapping:
       return std::make_shared<UvNormal>(compile_normal(*node.inner, settings));
@@ -358,7 +334,7 @@ std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
       return std::make_shared<BumpMapNormal>(node, settings);
     default:
       if (node.normal_map) return std::make_shared<MappedNormal>(node, settings);
-      return std::make_shared<PatternNormal>(node, settings.patterns);
+      return std::make_shared<PatternNormal>(node, settings);
   }
 }
 

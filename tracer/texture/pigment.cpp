@@ -7,6 +7,7 @@
 #include "tracer/texture/default_maps.h"
 #include "tracer/texture/image_lookup.h"
 #include "tracer/texture/surface_texture.h"
+#include "tracer/texture/warp_chain.h"
 
 namespace durer {
 namespace {
@@ -98,7 +99,7 @@ class PigmentMapPigment : public CompiledPigment {
 class AveragePigment : public CompiledPigment {
  public:
   AveragePigment(const PigmentNode& node, const TextureSettings& settings)
-      : warps_(node.pattern.warps), entries_(compile_entries(*node.pigment_map, settings)) {}
+      : warps_(chain_with_slot(node.pattern)), entries_(compile_entries(*node.pigment_map, settings)) {}
 
   bool evaluate(const Vec3& point, const TextureContext& context,
                 ColorRGBFT& color) const override {

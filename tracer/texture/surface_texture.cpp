@@ -4,6 +4,7 @@
 
 #include "tracer/texture/blend_map.h"
 #include "tracer/texture/image_lookup.h"
+#include "tracer/texture/warp_chain.h"
 
 namespace durer {
 namespace {
@@ -46,7 +47,7 @@ class MapSelector : public TextureSelector {
 class AverageSelector : public TextureSelector {
  public:
   AverageSelector(const TextureNode& node, std::vector<TextureEntry> entries)
-      : warps_(node.pattern.warps), entries_(std::move(entries)) {
+      : warps_(chain_with_slot(node.pattern)), entries_(std::move(entries)) {
     for (const TextureEntry& entry : entries_) weights_ += entry.position;
   }
   int select(const Vec3& point, const TextureContext&, Vec3& child_point,
@@ -92,9 +93,19 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
 
 }  // namespace
 
+Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, const Vec3& point,
+                  const TextureContext& context) {
+  if (!layer.normal) return context.normal;
+  return enclosing.outwards(
+      layer.normal->perturb(point, context, enclosing.inwards(context.normal)));
+}
+
 std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& node,
                                                        const TextureSettings& settings) {
   auto texture = std::make_shared<CompiledTexture>();
+  if (node.kind != TextureNode::Kind::plain) {
+    texture->frame = NormalFrame(node.pattern.warps, false);
+  }
   switch (node.kind) {
     case TextureNode::Kind::plain:
       // From the top layer down.

@@ -7,6 +7,7 @@
 
 #include "tracer/patterns/pattern.h"
 #include "tracer/scene/texture.h"
+#include "tracer/texture/normal_frame.h"
 
 namespace durer {
 
@@ -18,6 +19,7 @@ struct TextureSettings {
   PatternSettings patterns;
   int quality = 9;
   int effective_version = 370;
+  bool no_bump_scale = false;  // handed down by an enclosing normal
 };
 
 class CompiledPigment {
@@ -33,7 +35,8 @@ class CompiledPigment {
 class CompiledNormal {
  public:
   virtual ~CompiledNormal() = default;
-  // The perturbed unit normal.
+  // The perturbed normal: a unit vector, except with no_bump_scale (slope sees it so; shading
+  // normalises it).
   virtual Vec3 perturb(const Vec3& point, const TextureContext& context,
                        const Vec3& normal) const = 0;
 };
@@ -68,8 +71,14 @@ class TextureSelector {
 struct CompiledTexture {
   std::vector<TextureLayer> layers;
   std::unique_ptr<const TextureSelector> selector;
+  NormalFrame frame;  // of the selector
   bool is_opaque = true;
 };
+
+// The normal that a layer's pigment sees; not a unit vector with no_bump_scale. context.normal is the
+// geometric one, facing the ray.
+Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, const Vec3& point,
+                  const TextureContext& context);
 
 // Compiles a texture; what cannot be rendered yet is reported through NotSupported.
 std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& texture,

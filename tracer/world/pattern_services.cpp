@@ -1,5 +1,6 @@
 #include "tracer/world/pattern_services.h"
 
+#include "tracer/patterns/pattern_grey.h"
 #include "tracer/world/world.h"
 
 namespace durer {
@@ -21,7 +22,7 @@ class PigmentGrey final : public GreyField {
   double grey(const Vec3& p) const override {
     ColorRGBFT color;
     pigment_->evaluate(p, TextureContext{}, color);
-    return static_cast<double>(color.rgb().grey());
+    return static_cast<double>(pattern_grey(color));
   }
 
  private:

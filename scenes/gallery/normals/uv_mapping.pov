@@ -1,0 +1,12 @@
+// uv_mapping in a normal.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2.6, -9> look_at <0, 0, 0> angle 44 }
+light_source { <-5, 8, -10> rgb 0.9 }
+light_source { <6, 3, -8> rgb 0.3 shadowless }
+background { rgb <0.15, 0.2, 0.3> }
+#default { pigment { rgb <0.85, 0.8, 0.7> } finish { phong 0.4 phong_size 30 } }
+sphere { 0, 0.95 normal { uv_mapping bumps 0.5 scale 0.02 } translate <-2.3, 1.15, 0> }
+sphere { 0, 0.95 normal { uv_mapping gradient x 0.01 triangle_wave scale 0.1 } translate <0, 1.15, 0> }
+sphere { 0, 0.95 normal { uv_mapping checker 0.01 scale 0.1 } translate <2.3, 1.15, 0> }
+sphere { 0, 0.95 normal { uv_mapping quilted 0.02 scale <0.1, 0.1, 1> } translate <-2.3, -1.15, 0> }

@@ -1,0 +1,10 @@
+// square: four colours.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <1.0, 1.0, -20> direction 20 * z up 2 * y right 2.66667 * x look_at <1.0, 1.0, 0> }
+#default { finish { ambient 1 diffuse 0 } }
+// Squares seen from the front, one pigment each.
+box { <0.03, 0.03, 0.07>, <0.97, 0.97, 1> pigment { square rotate 90*x scale 0.13 } translate <0, 1, 0> }
+box { <0.03, 0.03, 0.07>, <0.97, 0.97, 1> pigment { square rgb 1, rgb 0.6, rgb 0.3, rgb 0 rotate 90*x scale 0.1 } translate <1, 1, 0> }
+box { <0.03, 0.03, 0.07>, <0.97, 0.97, 1> pigment { square rgb x, rgb y rotate <70, 30, 10> scale 0.1 } translate <0, 0, 0> }
+box { <0.03, 0.03, 0.07>, <0.97, 0.97, 1> pigment { square pigment { rgb 1 } pigment { bozo scale 0.1 } pigment { rgb 0.2 } pigment { rgb <1, 0.5, 0> } rotate 90*x scale 0.15 } translate <1, 0, 0> }
