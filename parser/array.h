@@ -16,9 +16,12 @@ struct ArrayShape {
 };
 
 struct Array {
+  static constexpr int kMostDepth = 1000;
+
   ArrayShape shape;
   ValueKind element_kind = ValueKind::unset;  // fixed by the first element ever stored
   std::vector<Value> elements;                // row by row
+  int depth = 0;                              // levels of arrays in its elements
 };
 
 }  // namespace durer

@@ -71,6 +71,7 @@ double Parser::State::next_random(double stream) {
 }
 
 bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
+  const NestingScope deeper(*this);
   const auto number = [&](double value) {
     out.set_float(value, width);
     return true;

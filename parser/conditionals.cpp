@@ -26,7 +26,8 @@ void Parser::State::open_conditional(Kind kind, uint32_t start) {
 void Parser::State::count_turn() {
   if (++loop_turns > options.limits.max_loop_turns) {
     error("the loops of this scene have turned more than " +
-          std::to_string(options.limits.max_loop_turns) + " times, which is the limit");
+              std::to_string(options.limits.max_loop_turns) + " times, which is the limit",
+          "--max-loop-turns N raises it");
   }
 }
 

@@ -37,6 +37,24 @@ void Parser::State::seek(Frame& frame, uint32_t offset) {
                               [](const Token& token, uint32_t o) { return token.offset < o; });
 }
 
+// At the end of a file the place of messages stays at the token before, as POV-Ray's does.
+const Token& Parser::State::reach_odd_token(const Token& token) {
+  if (token.kind == TokenKind::malformed) {
+    last_offset = token.offset;
+    last_file = frames.back().file.get();
+    behind_last = false;
+    raise_lexical(token);
+  }
+  Frame& frame = frames.back();
+  if (last_file != frame.file.get()) {
+    // What was read last is in a file that has ended: its #include is the place then.
+    last_file = frame.file.get();
+    last_offset = &token > frame.page->tokens.data() ? (&token)[-1].offset : frame.page->begin;
+  }
+  behind_last = true;
+  return token;
+}
+
 const Token& Parser::State::raw_peek() {
   Frame& frame = frames.back();
   if (frame.at == frame.page_end) turn_page(frame);
@@ -61,6 +79,8 @@ void Parser::State::pop_frame() {
 void Parser::State::fetch() {
   for (;;) {
     if (ahead == kToken) return;
+    const uint32_t offset_before = last_offset;
+    SourceFile* const file_before = last_file;
     if (ahead == kNothing) {
       look.token = raw_next();
       look.entry = nullptr;
@@ -70,16 +90,22 @@ void Parser::State::fetch() {
     switch (look.token.kind) {
       case TokenKind::symbol:
         if (look.token.symbol != Symbol::hash) break;
-        if (!directives_live) {
-          // The #end of a running macro returns from it even here.
-          if (conditionals.empty() || conditionals.back().kind != Conditional::Kind::macro_call ||
-              !raw_peek().is(Keyword::end)) {
-            ahead = kDeferred;
-            return;
-          }
+        // The #end of a running macro returns from it even with directives off, and is no token.
+        if (!conditionals.empty() && conditionals.back().kind == Conditional::Kind::macro_call &&
+            raw_peek().is(Keyword::end)) {
           raw_next();
           return_from_macro();
+          last_offset = offset_before;
+          last_file = file_before;
           continue;
+        }
+        if (!directives_live) {
+          // The `#` ends what is being read: what is missing is missing before it.
+          last_offset = offset_before;
+          last_file = file_before;
+          behind_last = last_file != nullptr;
+          ahead = kDeferred;
+          return;
         }
         ++directive_depth;
         execute_directive();

@@ -104,7 +104,7 @@ void Parser::State::do_declare(bool local) {
     }
     const Token& token = peek();
     if (token.is(Symbol::paren_open)) {
-      error("assigning to several names at once is syntax of POV-Ray 3.8, which durer does not read");
+      error("assigning to several names at once is syntax of POV-Ray 3.8, and this program reads the language of version 3.7");
     }
     if (token.kind != TokenKind::identifier) error_expected("an identifier to declare");
     if (look.value && look.value->kind() == ValueKind::macro) {
@@ -122,7 +122,7 @@ void Parser::State::do_declare(bool local) {
       }
     }
     if (raw_peek().is(Symbol::bracket_open)) {
-      if (!entry) error(quoted(name) + " is not declared", suggestion(name));
+      if (!entry) error_undeclared(name);
       if (!array) error(quoted(name) + " is not an array");
       const FlagScope elements(resolve_elements, true);
       parse_subscripts(target);
@@ -175,7 +175,7 @@ void Parser::State::check_semicolon(bool numeric) {
   if (!numeric) return;
   if (language_version >= 350) {
     error("expected ';' at the end of this declaration of a number, vector or colour",
-          "write ';' before " + found());
+          "write ';' behind the value");
   }
   if (language_version >= 310) {
     message(Severity::possible_error,
@@ -272,7 +272,7 @@ void Parser::State::do_version() {
   const double number = parse_float();
   const double hundredths = std::trunc(100.0 * number + 0.5);
   if (!(hundredths <= 370)) {
-    error("this scene asks for a version of the language after 3.7, which durer does not read");
+    error("this scene is written for a later version of the language, and this program reads that of 3.7");
   }
   if (!version_seen && tokens_before_version == 0) version_first = consumed <= 6;
   language_version = static_cast<int>(hundredths);

@@ -14,18 +14,6 @@ namespace {
 
 constexpr double kEpsilon = 1e-10;
 
-// Counts how deep expressions nest, also when an error unwinds them.
-class DepthScope {
- public:
-  explicit DepthScope(int& depth) : depth_(depth) { ++depth_; }
-  ~DepthScope() { --depth_; }
-  DepthScope(const DepthScope&) = delete;
-  DepthScope& operator=(const DepthScope&) = delete;
-
- private:
-  int& depth_;
-};
-
 // The narrower operand grows to the wider one; `right` may be promoted, too.
 inline int common_width(Terms& left, Terms& right) {
   if (left.count < right.count) left.promote(right.count);
@@ -127,8 +115,7 @@ void Parser::State::parse_factor(Terms& out, int width) {
       if (token.symbol == Symbol::minus || token.symbol == Symbol::exclamation) {
         const bool negate = token.symbol == Symbol::minus;
         consume();
-        const DepthScope deeper(depth);
-        if (depth > options.limits.max_expression_depth) error("this expression is nested too deeply");
+        const NestingScope deeper(*this);
         directives_live = true;
         parse_factor(out, width);
         for (int i = 0; i < out.count; ++i) {
@@ -182,7 +169,7 @@ void Parser::State::parse_primary(Terms& out, int width) {
       return;
     case TokenKind::identifier: {
       if (!look.value) {
-        error(quoted(token.name) + " is not declared", suggestion(token.name));
+        error_undeclared(token.name);
       }
       const Value& value = *look.value;
       switch (value.kind()) {
@@ -222,16 +209,14 @@ void Parser::State::parse_primary(Terms& out, int width) {
     case TokenKind::symbol: {
       if (token.symbol == Symbol::paren_open) {
         consume();
-        const DepthScope deeper(depth);
-        if (depth > options.limits.max_expression_depth) error("this expression is nested too deeply");
+        const NestingScope deeper(*this);
         parse_express(out, 1);
         out.promote(width);
         return expect(Symbol::paren_close);
       }
       if (token.symbol == Symbol::less) {
         consume();
-        const DepthScope deeper(depth);
-        if (depth > options.limits.max_expression_depth) error("this expression is nested too deeply");
+        const NestingScope deeper(*this);
         int count = 0;
         do {
           out.v[count++] = parse_float();
@@ -316,8 +301,7 @@ void Parser::State::parse_express(Terms& out, int width) {
   }
   const double condition = out.v[0];
   consume();
-  const DepthScope deeper(depth);
-  if (depth > options.limits.max_expression_depth) error("this expression is nested too deeply");
+  const NestingScope deeper(*this);
   Terms no;
   parse_express(out, width);
   expect(Symbol::colon);
@@ -389,6 +373,7 @@ bool Parser::State::starts_expression() {
 }
 
 void Parser::State::call_spline(Terms& out, const Spline& spline, int width) {
+  const NestingScope deeper(*this);
   if (!accept(Symbol::paren_open)) error_expected("'(' and the spline's parameter");
   const double parameter = parse_float();
   SplineInterpolation type = spline.kind;

@@ -87,21 +87,6 @@ class FunctionBody {
   }
 
  private:
-  class DepthScope {
-   public:
-    explicit DepthScope(FunctionBody& body) : body_(body) {
-      if (++body_.state_.depth > body_.state_.options.limits.max_expression_depth) {
-        body_.state_.error("this expression is nested too deeply");
-      }
-    }
-    ~DepthScope() { --body_.state_.depth; }
-    DepthScope(const DepthScope&) = delete;
-    DepthScope& operator=(const DepthScope&) = delete;
-
-   private:
-    FunctionBody& body_;
-  };
-
   // Binary operators, loosest first: | & comparisons + * (spec/functions.md 2.1).
   static bool operator_at(const Token& token, int level, BinaryOperator& op) {
     if (token.kind != TokenKind::symbol) return false;
@@ -123,7 +108,7 @@ class FunctionBody {
   }
 
   Term expression() {
-    const DepthScope deeper(*this);
+    const NestingScope deeper(state_);
     const Term result = binary(0);
     const Token& token = state_.peek();
     if (!token.is(Symbol::paren_close) && !token.is(Symbol::brace_close) && !token.is(Symbol::comma)) {
@@ -396,6 +381,7 @@ std::shared_ptr<const FunctionNode> Parser::State::parse_function(FunctionParame
 
 // f(a, b, ...) in an expression of the scene: exactly its number of floats.
 void Parser::State::call_function(Terms& out, const FunctionNode& function, int width) {
+  const NestingScope deeper(*this);
   const CompiledFunction& compiled = *function.compiled;
   if (!accept(Symbol::paren_open)) error_expected("'(' and the function's arguments");
   const int count = compiled.parameter_count();

@@ -103,9 +103,9 @@ void scan_number(const char* text, uint32_t at, uint32_t size, double& value, ui
 
 }  // namespace
 
-uint32_t skip_space(const std::string& text, uint32_t at, bool& unterminated) {
+uint32_t skip_space(const std::string& text, uint32_t at, uint32_t& open_comment) {
   const uint32_t size = static_cast<uint32_t>(text.size());
-  unterminated = false;
+  open_comment = kNoComment;
   while (at < size) {
     if (class_of(text[at]) == kSpace) {
       ++at;
@@ -114,6 +114,7 @@ uint32_t skip_space(const std::string& text, uint32_t at, bool& unterminated) {
     } else if (text[at] == '/' && at + 1 < size && text[at + 1] == '*') {
       // Block comments nest.
       int depth = 1;
+      const uint32_t begin = at;
       at += 2;
       while (at < size && depth > 0) {
         if (text[at] == '*' && at + 1 < size && text[at + 1] == '/') {
@@ -125,7 +126,7 @@ uint32_t skip_space(const std::string& text, uint32_t at, bool& unterminated) {
         }
       }
       if (depth > 0) {
-        unterminated = true;
+        open_comment = begin;
         return size;
       }
     } else {
@@ -156,12 +157,12 @@ uint32_t lex(const std::string& text, uint32_t from, size_t most, NameTable& nam
     token.error = error;
   };
   for (size_t made = 0; made < most; ++made) {
-    bool unterminated = false;
-    const uint32_t comment = at;
-    at = skip_space(text, at, unterminated);
+    uint32_t open_comment = kNoComment;
+    const uint32_t before = at;
+    at = skip_space(text, at, open_comment);
     Token& token = tokens.emplace_back();
-    token.offset = unterminated ? comment : at;
-    if (unterminated) {
+    token.offset = open_comment != kNoComment ? before : at;
+    if (open_comment != kNoComment) {
       malformed(LexicalError::unterminated_comment);
       return size;
     }

@@ -14,8 +14,10 @@ namespace durer {
 uint32_t lex(const std::string& text, uint32_t from, size_t most, NameTable& names,
              std::vector<Token>& tokens);
 
-// Past white space and comments. An unterminated comment gives the text's size and sets the flag.
-uint32_t skip_space(const std::string& text, uint32_t at, bool& unterminated);
+// Past white space and comments. An unterminated comment gives the text's size, and its offset in
+// `open_comment`, which is kNoComment otherwise.
+constexpr uint32_t kNoComment = UINT32_MAX;
+uint32_t skip_space(const std::string& text, uint32_t at, uint32_t& open_comment);
 
 // One unsigned number at `at`: value and the offset behind it. False: no number stands there, or a
 // second period follows it.

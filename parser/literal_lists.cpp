@@ -77,8 +77,8 @@ class LiteralReader {
   uint32_t space(uint32_t p) const {
     while (p < text_.size() && (text_[p] == ' ' || text_[p] == '\n')) ++p;
     if (p < text_.size() && text_[p] != '/' && static_cast<unsigned char>(text_[p]) > ' ') return p;
-    bool unterminated = false;
-    return skip_space(text_, p, unterminated);
+    uint32_t open_comment = kNoComment;
+    return skip_space(text_, p, open_comment);
   }
 
   const std::string& text_;
@@ -111,6 +111,7 @@ size_t read_items(Parser::State& state, size_t most, bool vectors, ReadItem read
     state.ahead = Parser::State::kNothing;
     state.consumed += count;
     state.seek(frame, reader.at());
+    state.last_offset = reader.at() - 1;
   }
   return count;
 }

@@ -13,6 +13,14 @@ std::string version_text(int hundredths) {
   return std::to_string(hundredths / 100) + "." + (digits.size() < 2 ? "0" : "") + digits;
 }
 
+// `optional` is an ordinary name here, and the comma behind a parameter may be left out.
+bool has_optional_parameter(const Macro& macro, const NameTable& names) {
+  for (const Name parameter : macro.parameters) {
+    if (names.text(parameter) == "optional") return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void Parser::State::do_macro() {
@@ -55,6 +63,7 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
     error("macros need #version 3.1 or later, but #version " + version_text(language_version) +
           " is set");
   }
+  const NestingScope deeper(*this);
   const uint32_t call = last_offset;
   const size_t count = macro->parameters.size();
   // Most macros have few parameters: no allocation for those.
@@ -74,6 +83,11 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
     expect(Symbol::paren_open);
     for (size_t i = 0; i < count; ++i) {
       if (peek().is(Symbol::paren_close)) {
+        if (has_optional_parameter(*macro, names)) {
+          error("optional parameters of macros are syntax of POV-Ray 3.8, and this program reads the "
+                "language of version 3.7",
+                "macro " + quoted(macro->name) + " has them");
+        }
         error("macro " + quoted(macro->name) + " takes " +
               std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", only " +
               std::to_string(i) + " given");

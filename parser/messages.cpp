@@ -2,28 +2,57 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "parser/lexer.h"
 #include "parser/parser_state.h"
 
 namespace durer {
 namespace {
 
-// Levenshtein's distance, given up above `most`.
+// Letters lost, added, replaced or swapped with their neighbour on the way from a to b; case counts
+// half. In halves, and given up above `most`.
 int edit_distance(std::string_view a, std::string_view b, int most) {
-  if (a.size() > b.size() + static_cast<size_t>(most) || b.size() > a.size() + static_cast<size_t>(most)) {
-    return most + 1;
-  }
-  std::vector<int> row(b.size() + 1);
-  for (size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<int>(j);
+  const size_t slack = static_cast<size_t>(most / 2);
+  if (a.size() > b.size() + slack || b.size() > a.size() + slack) return most + 1;
+  const auto replaced = [](char x, char y) {
+    if (x == y) return 0;
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    return lower(x) == lower(y) ? 1 : 2;
+  };
+  const size_t width = b.size() + 1;
+  std::vector<int> rows(width * (a.size() + 1));
+  for (size_t j = 0; j < width; ++j) rows[j] = static_cast<int>(2 * j);
   for (size_t i = 1; i <= a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i);
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const int above = row[j];
-      row[j] = std::min({row[j - 1] + 1, above + 1, diagonal + (a[i - 1] != b[j - 1])});
-      diagonal = above;
+    int* row = &rows[i * width];
+    const int* above = row - width;
+    row[0] = static_cast<int>(2 * i);
+    for (size_t j = 1; j < width; ++j) {
+      row[j] = std::min({row[j - 1] + 2, above[j] + 2, above[j - 1] + replaced(a[i - 1], b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], rows[(i - 2) * width + j - 2] + 2);
+      }
     }
   }
-  return row[b.size()];
+  return rows.back();
+}
+
+// Words that later versions of the language know and this one does not.
+bool is_later_syntax(std::string_view word) {
+  static constexpr std::string_view kWords[] = {"dictionary", "mixed",        "optional", "tau",
+                                                "potential",  "user_defined", "bt709",    "bt2020"};
+  return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+}
+
+std::string later_syntax(std::string_view word) {
+  return "'" + std::string(word) +
+         "' is syntax of POV-Ray 3.8, and this program reads the language of version 3.7";
+}
+
+// Offset of the token's last byte.
+uint32_t last_byte_of(const SourceFile& file, uint32_t offset) {
+  NameTable no_names;
+  std::vector<Token> tokens;
+  const uint32_t end = lex(file.text(), offset, 1, no_names, tokens);
+  return end > offset && tokens[0].kind != TokenKind::malformed ? end - 1 : offset;
 }
 
 const char* symbol_text(Symbol symbol) {
@@ -67,7 +96,8 @@ std::string Parser::State::quoted(Name name) const {
 
 std::string Parser::State::suggestion(Name name) {
   const std::string_view wanted = names.text(name);
-  const int most = wanted.size() < 4 ? 1 : wanted.size() < 8 ? 2 : 3;
+  // One slip in three letters; in halves.
+  const int most = 2 * static_cast<int>(std::clamp<size_t>(wanted.size() / 3, 1, 3));
   int best = most + 1;
   std::string_view nearest;
   const auto consider = [&](std::string_view candidate) {
@@ -86,8 +116,18 @@ Diagnostic Parser::State::diagnostic_here(Severity severity, const std::string& 
   diagnostic.text = text;
   if (!last_file) return diagnostic;
   diagnostic.file = last_file->name();
-  diagnostic.line = last_file->line_of(last_offset);
-  diagnostic.column = last_file->column_of(last_offset);
+  uint32_t offset = last_offset;
+  if (behind_last) {
+    offset = last_byte_of(*last_file, offset) + 1;
+  } else if (offset < last_file->text().size() && last_file->text()[offset] == '"') {
+    // A string over several lines is named by its last one.
+    const uint32_t end = last_byte_of(*last_file, offset);
+    if (last_file->line_of(end) != last_file->line_of(offset)) offset = end;
+  }
+  // Behind the last byte may be a new line already.
+  const uint32_t before = behind_last && offset > 0 ? offset - 1 : offset;
+  diagnostic.line = last_file->line_of(before);
+  diagnostic.column = last_file->column_of(before) + static_cast<int>(offset - before);
   diagnostic.source_line = last_file->line_text(diagnostic.line);
   // The way here, innermost first: each frame's place is where its caller goes on.
   for (size_t i = frames.size(); i-- > 1;) {
@@ -98,8 +138,8 @@ Diagnostic Parser::State::diagnostic_here(Severity severity, const std::string& 
                         : "in " + frames[i].file->name() + ", included";
     frame.file = caller.file->name();
     const Token* begin = caller.page->tokens.data();
-    const uint32_t offset = caller.at > begin ? caller.at[-1].offset : caller.page->begin;
-    frame.line = caller.file->line_of(offset);
+    frame.line =
+        caller.file->line_of(caller.at > begin ? caller.at[-1].offset : caller.page->begin);
     diagnostic.frames.push_back(std::move(frame));
   }
   return diagnostic;
@@ -113,13 +153,34 @@ void Parser::State::error(const std::string& text, const std::string& hint) {
 
 void Parser::State::error_expected(std::string_view what) {
   std::string hint;
-  if (look.token.kind == TokenKind::identifier && !look.value) hint = suggestion(look.token.name);
+  if (look.token.kind == TokenKind::identifier && !look.value) {
+    if (is_later_syntax(names.text(look.token.name))) error(later_syntax(names.text(look.token.name)));
+    hint = suggestion(look.token.name);
+  }
   if (look.token.kind == TokenKind::identifier && look.value &&
       look.value->kind() == ValueKind::macro) {
     hint = "macros are not expanded between an operand and what follows it here; put the value "
            "into parentheses";
   }
   error("expected " + std::string(what) + ", found " + found(), hint);
+}
+
+void Parser::State::error_undeclared(Name name) {
+  if (is_later_syntax(names.text(name))) error(later_syntax(names.text(name)));
+  error(quoted(name) + " is not declared", suggestion(name));
+}
+
+void Parser::State::error_in_data(const std::string& path, const std::string& text, uint32_t offset,
+                                  const std::string& what) {
+  SourceFile data(path, text, names);
+  Diagnostic diagnostic = diagnostic_here(Severity::error, what);
+  DiagnosticFrame reader{"read", diagnostic.file, diagnostic.line};
+  diagnostic.frames.insert(diagnostic.frames.begin(), std::move(reader));
+  diagnostic.file = path;
+  diagnostic.line = data.line_of(offset);
+  diagnostic.column = data.column_of(offset);
+  diagnostic.source_line = data.line_text(diagnostic.line);
+  throw ParseError(std::move(diagnostic));
 }
 
 void Parser::State::raise_lexical(const Token& token) {
@@ -131,8 +192,12 @@ void Parser::State::raise_lexical(const Token& token) {
                     static_cast<unsigned char>(file.text()[token.offset]));
       error(text);
     }
-    case LexicalError::unterminated_comment:
-      error("this comment has no end: */ is missing");
+    case LexicalError::unterminated_comment: {
+      uint32_t open = kNoComment;
+      skip_space(file.text(), token.offset, open);
+      error("a comment has no end: */ is missing",
+            "it begins in line " + std::to_string(frames.back().file->line_of(open)));
+    }
     case LexicalError::unterminated_string:
       error("this string has no end: the closing quote is missing");
     case LexicalError::string_newline:
@@ -186,14 +251,27 @@ std::string Diagnostic::formatted() const {
     out += "  " + window + "\n  " + std::string(std::min(caret - begin, kWidth), ' ') + "^\n";
   }
   if (!hint.empty()) out += "  hint: " + hint + "\n";
-  // A deep recursion shows its ends.
+  // A recursion shows each of its calls once, a deep one its ends.
+  std::vector<std::string> chain;
+  int repeated = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
-    if (frames.size() > 12 && i == 8) {
-      out += "  ... " + std::to_string(frames.size() - 10) + " more\n";
-      i = frames.size() - 2;
+    std::string call = "  " + frames[i].description + " at " + frames[i].file + ":" +
+                       std::to_string(frames[i].line);
+    const bool same = !chain.empty() && chain.back() == call;
+    repeated += same;
+    if (!same) {
+      if (repeated > 0) chain.back() += ", " + std::to_string(repeated + 1) + " times";
+      repeated = 0;
+      chain.push_back(std::move(call));
     }
-    out += "  " + frames[i].description + " at " + frames[i].file + ":" +
-           std::to_string(frames[i].line) + "\n";
+  }
+  if (repeated > 0) chain.back() += ", " + std::to_string(repeated + 1) + " times";
+  for (size_t i = 0; i < chain.size(); ++i) {
+    if (chain.size() > 12 && i == 8) {
+      out += "  ... " + std::to_string(chain.size() - 10) + " more\n";
+      i = chain.size() - 2;
+    }
+    out += chain[i] + "\n";
   }
   return out;
 }

@@ -36,10 +36,9 @@ void declare_globals(Parser::State& state) {
       declare(state, name, Value(declared_number(std::atof(text.c_str()))));
     }
   }
-  const size_t slash = o.input_file.rfind('/');
-  declare(state, "input_file_name",
-          Value(state.from_bytes(slash == std::string::npos ? o.input_file
-                                                            : o.input_file.substr(slash + 1))));
+  const std::string& input = o.input_name.empty() ? o.input_file : o.input_name;
+  // rfind's npos plus one is 0: the whole name.
+  declare(state, "input_file_name", Value(state.from_bytes(input.substr(input.rfind('/') + 1))));
   const std::pair<const char*, double> numbers[] = {
       {"image_width", o.image_width},       {"image_height", o.image_height},
       {"frame_number", o.frame_number},     {"initial_frame", o.initial_frame},
@@ -70,6 +69,7 @@ void open_main_file(Parser::State& state) {
 // spec/language.md 27, the core's part.
 void finish(Parser::State& state) {
   state.last_file = nullptr;  // these messages are about no place
+  state.behind_last = false;
   Scene& scene = state.scene;
   if (scene.objects.empty()) state.message(Severity::warning, "the scene has no objects");
   if (!state.experimental.empty()) {
@@ -121,6 +121,7 @@ ParseResult parse_scene(const ParseOptions& options) {
   } catch (const std::bad_alloc&) {
     Diagnostic diagnostic;
     diagnostic.text = "out of memory while reading the scene";
+    diagnostic.hint = "--max-memory MB sets the limit";
     result.failure = std::make_shared<Diagnostic>(std::move(diagnostic));
   }
   return result;

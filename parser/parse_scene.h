@@ -35,6 +35,7 @@ struct WritePermissions {
 
 struct ParseOptions {
   std::string input_file;
+  std::string input_name;  // as the user wrote it; empty: input_file
   std::vector<std::string> library_paths;
   std::string include_header;  // read before the first token; empty: none
 

@@ -175,7 +175,11 @@ int Parser::effective_version() const {
 
 const ParseOptions& Parser::options() const { return state_->options; }
 Scene& Parser::scene() { return state_->scene; }
-void Parser::set_utf8(bool utf8) { state_->utf8 = utf8; }
+void Parser::set_utf8(bool utf8) {
+  state_->utf8 = utf8;
+  state_->system_charset = false;
+}
+void Parser::set_system_charset() { state_->system_charset = true; }
 void Parser::follow_noise_generator() { state_->follow_noise_generator(); }
 void Parser::note_assumed_gamma() { state_->gamma_known = true; }
 SceneQueries& Parser::queries() { return *state_->options.queries; }

@@ -152,6 +152,8 @@ class Parser {
   std::shared_ptr<const CameraNode> default_camera;
   // `global_settings { charset utf8 }`.
   void set_utf8(bool utf8);
+  // `charset sys`: an error as soon as a string is read.
+  void set_system_charset();
   // noise_generator or #version has changed.
   void follow_noise_generator();
   // "spline", "slope pattern" ...: named in one warning after the parse.

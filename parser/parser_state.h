@@ -108,11 +108,13 @@ struct Parser::State {
     Frame& frame = frames.back();
     if (frame.at == frame.page_end) turn_page(frame);
     const Token& token = *frame.at++;
+    if (token.kind >= TokenKind::end_of_file) [[unlikely]] return reach_odd_token(token);
     last_offset = token.offset;
     last_file = frame.file.get();
-    if (token.kind == TokenKind::malformed) [[unlikely]] raise_lexical(token);
+    behind_last = false;
     return token;
   }
+  const Token& reach_odd_token(const Token& token);
   const Token& raw_peek();
   void turn_page(Frame& frame);
   void seek(Frame& frame, uint32_t offset);
@@ -189,6 +191,7 @@ struct Parser::State {
   // The variable or element that a reference names, for writing; arrays on the way are unshared.
   Value* writable(const Reference& reference);
   void store(const Reference& reference, Value value);
+  void check_depth(const Array& array);
   std::shared_ptr<const Spline> parse_spline();
 
   // ---- expression.cpp -------------------------------------------------------------------------
@@ -255,7 +258,11 @@ struct Parser::State {
   // ---- messages.cpp ---------------------------------------------------------------------------
   [[noreturn]] void error(const std::string& text, const std::string& hint = {});
   [[noreturn]] void error_expected(std::string_view what);
+  [[noreturn]] void error_undeclared(Name name);
   [[noreturn]] void raise_lexical(const Token& token);
+  // An error in a file that the scene reads as data.
+  [[noreturn]] void error_in_data(const std::string& path, const std::string& text, uint32_t offset,
+                                  const std::string& what);
   void message(Severity severity, const std::string& text);
   Diagnostic diagnostic_here(Severity severity, const std::string& text);
   std::string found();
@@ -280,6 +287,7 @@ struct Parser::State {
   uint64_t consumed = 0;          // tokens handed out so far
   uint32_t last_offset = 0;       // of the token read last
   SourceFile* last_file = nullptr;
+  bool behind_last = false;  // messages are about what is missing behind that token
   std::vector<std::shared_ptr<SourceFile>> all_files;  // keeps every file that was read
   int depth = 0;                  // of expressions and blocks
   uint64_t loop_turns = 0;
@@ -288,6 +296,7 @@ struct Parser::State {
   bool version_first = false;
   uint64_t tokens_before_version = 0;
   bool utf8 = false;
+  bool system_charset = false;  // POV-Ray on Unix stops at the first string then
   bool gamma_known = false;
   std::shared_ptr<FieldSettings> field_settings = std::make_shared<FieldSettings>();
   Name declaring = 0;  // what #declare is about to give a value to: a function may call itself
@@ -297,6 +306,25 @@ struct Parser::State {
   std::vector<std::shared_ptr<UserFile>> open_files;
   std::unordered_map<std::string, std::shared_ptr<SourceFile>> sources;  // by path
   std::vector<std::string> written_files;  // by #fopen: their cached text is stale
+};
+
+// Counts how deep expressions, calls and blocks stand inside each other, also when an error unwinds
+// them: each level takes some of the program's stack.
+class NestingScope {
+ public:
+  explicit NestingScope(Parser::State& state) : depth_(state.depth) {
+    if (++depth_ > state.options.limits.max_expression_depth) {
+      state.error("expressions, calls and blocks stand in each other more than " +
+                  std::to_string(state.options.limits.max_expression_depth) +
+                  " levels deep, which is the limit");
+    }
+  }
+  ~NestingScope() { --depth_; }
+  NestingScope(const NestingScope&) = delete;
+  NestingScope& operator=(const NestingScope&) = delete;
+
+ private:
+  int& depth_;
 };
 
 // Sets a flag for a scope.

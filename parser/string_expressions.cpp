@@ -112,6 +112,10 @@ std::string Parser::State::to_bytes(const std::u16string& text) const {
 }
 
 std::u16string Parser::State::literal(const Token& token, const SourceFile& file, bool path) {
+  if (system_charset) {
+    error("strings cannot be read in the charset 'sys', which is not known on this system",
+          "global_settings { charset utf8 } is what you probably want");
+  }
   const std::u16string raw = from_bytes(file.literal_at(token.offset));
   if (path || raw.find(u'\\') == std::u16string::npos) return raw;
   std::u16string text;
@@ -154,6 +158,7 @@ std::u16string Parser::State::literal(const Token& token, const SourceFile& file
 }
 
 std::u16string Parser::State::parse_string(bool path) {
+  const NestingScope deeper(*this);
   {
     const FlagScope on(directives_live, true);
     peek();
@@ -166,7 +171,7 @@ std::u16string Parser::State::parse_string(bool path) {
   }
   if (token.kind == TokenKind::identifier) {
     if (!look.value) {
-      error(quoted(token.name) + " is not declared", suggestion(token.name));
+      error_undeclared(token.name);
     }
     if (look.value->kind() == ValueKind::string) {
       std::u16string text = look.value->string();

@@ -20,13 +20,14 @@ enum class Symbol : uint8_t {
 };
 
 enum class TokenKind : uint8_t {
-  end_of_file,
   keyword,     // name = spelling as written, keyword = canonical form
   identifier,  // name
   number,      // number
   string,      // string: index into the file's list of literals, escapes not yet processed
   symbol,      // symbol
-  malformed,   // error: raised when the cursor reaches it
+  // Not text that was read well: the cursor looks at these two more closely.
+  end_of_file,
+  malformed,  // error: raised when the cursor reaches it
 };
 
 enum class LexicalError : uint8_t {

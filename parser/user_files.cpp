@@ -120,7 +120,7 @@ void Parser::State::do_fopen() {
     } else {
       if (!may_write(given)) {
         error("the scene may not write '" + given + "': it is outside the current and the output folder",
-              "allow it on the command line if you trust the scene");
+              "--allow-write FOLDER allows it, if you trust the scene");
       }
       file->stream = std::fopen(given.c_str(), append ? "ab" : "wb");
       written_files.push_back(given);
@@ -170,12 +170,12 @@ void Parser::State::do_read() {
     if (file_entry->live) symbols.remove(*file_entry);
   };
   const auto space = [&] {
-    bool unterminated = false;
-    file->at = skip_space(file->text, file->at, unterminated);
+    uint32_t open_comment = kNoComment;
+    file->at = skip_space(file->text, file->at, open_comment);
     return file->at < file->text.size();
   };
   const auto wrong = [&] {
-    error("'" + file->path + "' should hold a number, a vector or a string here");
+    error_in_data(file->path, file->text, file->at, "expected a number, a vector or a string here");
   };
   const auto signed_number = [&]() {
     double sign = 1, value = 0;

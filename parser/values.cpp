@@ -1,4 +1,5 @@
 // Right-hand sides, arrays and splines (spec/language.md 12.3, 15, 21).
+#include <algorithm>
 #include <cmath>
 
 #include "parser/parser_state.h"
@@ -38,6 +39,7 @@ Value Parser::State::to_value(const Terms& terms) {
 
 // The caller has switched directives off; operands and blocks switch them on for themselves.
 void Parser::State::parse_right_side(RightSide& result, const char* what) {
+  const NestingScope deeper(*this);
   // The first token is read live: a macro or directive may come before the value.
   {
     const FlagScope on(directives_live, true);
@@ -46,8 +48,7 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
   const TokenKind first = look.token.kind;
   if (first == TokenKind::identifier) {
     if (!look.value) {
-      error(quoted(look.token.name) + " is not declared",
-            suggestion(look.token.name));
+      error_undeclared(look.token.name);
     }
     const Value& value = *look.value;
     if (!value.is_set()) {
@@ -191,6 +192,7 @@ int64_t Parser::State::parse_flat_index(const ArrayShape& shape) {
 }
 
 void Parser::State::parse_subscripts(Reference& reference) {
+  const NestingScope deeper(*this);
   // The brackets are looked for in the text itself: the element's kind decides what comes next.
   do {
     const Value* value = readable(reference);
@@ -237,7 +239,24 @@ void Parser::State::store(const Reference& reference, Value value) {
             ", not " + kind_name(value.kind()));
     }
   }
+  const bool is_array = value.kind() == ValueKind::array;
+  const int inner = is_array ? value.as<Array>().depth : 0;
   *slot = std::move(value);
+  if (!is_array) return;
+  // The arrays on the way to the element are at least one level deeper each.
+  for (Reference holder = reference; holder.levels > 0;) {
+    --holder.levels;
+    Array& array = writable(holder)->mutable_as<Array>();
+    array.depth = std::max(array.depth, inner + reference.levels - holder.levels);
+    check_depth(array);
+  }
+}
+
+void Parser::State::check_depth(const Array& array) {
+  if (array.depth > Array::kMostDepth) {
+    error("arrays stand in each other more than " + std::to_string(Array::kMostDepth) +
+          " levels deep, which is the limit");
+  }
 }
 
 // After `array`: sizes and the initialiser, read with directives off between operands.
@@ -246,9 +265,6 @@ Value Parser::State::parse_array() {
   auto array = std::make_shared<Array>();
   ArrayShape& shape = array->shape;
   double total = 1;
-  if (peek().kind == TokenKind::identifier && names.text(look.token.name) == "mixed") {
-    error("mixed arrays are syntax of POV-Ray 3.8, which durer does not read");
-  }
   while (accept(Symbol::bracket_open)) {
     if (shape.dimensions == ArrayShape::kMostDimensions) {
       error("an array has at most " + std::to_string(ArrayShape::kMostDimensions) + " dimensions");
@@ -257,7 +273,8 @@ Value Parser::State::parse_array() {
     total *= size;
     if (std::fabs(total) > static_cast<double>(options.limits.max_array_elements)) {
       error("the array would have more than " +
-            std::to_string(options.limits.max_array_elements) + " elements, which is the limit");
+                std::to_string(options.limits.max_array_elements) + " elements, which is the limit",
+            "--max-array-elements N raises it");
     }
     shape.sizes[shape.dimensions++] = static_cast<int64_t>(size);
     if (!accept(Symbol::bracket_close)) error_expected("']' after the size of the array");
@@ -296,6 +313,10 @@ void Parser::State::parse_array_level(Array& array, int dimension, int64_t& inde
       if (array.element_kind != element.value.kind()) {
         error(std::string("the elements of an array have one kind: expected ") +
               kind_name(array.element_kind) + ", found " + kind_name(element.value.kind()));
+      }
+      if (element.value.kind() == ValueKind::array) {
+        array.depth = std::max(array.depth, element.value.as<Array>().depth + 1);
+        check_depth(array);
       }
       array.elements[index++] = std::move(element.value);
     } else {

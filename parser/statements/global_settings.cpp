@@ -89,7 +89,7 @@ class SettingsReader {
     } else if (parser_.accept(Keyword::ascii)) {
       parser_.set_utf8(false);
     } else if (parser_.accept(Keyword::sys)) {
-      parser_.error("charset sys is not known on this system; use utf8 or ascii");
+      parser_.set_system_charset();
     } else {
       parser_.error_expected("ascii, utf8 or sys");
     }

@@ -1,4 +1,5 @@
 // text (spec/geometry.md 12.13).
+#include "parser/font_replacement.h"
 #include "parser/parser.h"
 #include "parser/statements/shapes/shape_parsers.h"
 
@@ -23,7 +24,11 @@ ShapeNode parse_text(Parser& parser) {
   if (parser.accept(Keyword::ttf)) {
     const std::string name = parser.parse_path_string();
     node.font = parser.find_file(name, FileType::font);
-    if (node.font.empty()) parser.error("the font '" + name + "' is not found");
+    if (node.font.empty()) {
+      node.font = replacement_font(name);
+      if (node.font.empty()) parser.error("the font '" + name + "' is not found, nor any other font");
+      parser.warning("the font '" + name + "' is not found; '" + node.font + "' is used for it");
+    }
   } else if (parser.accept(Keyword::internal)) {
     const char* name = internal_font_file(parser.parse_int());
     node.font = parser.find_file(name, FileType::font);

@@ -1,0 +1,5 @@
+#version 3.7;
+#declare A = array[2] {
+  1,
+  "two"
+}

@@ -1,0 +1,3 @@
+#version 3.7;
+#declare A = array[3] { 1, 2, 3 }
+#declare C = A[-1];

@@ -1,0 +1,6 @@
+#version 3.7;
+#declare A = array[2] {
+  1,
+  2,
+  3
+}

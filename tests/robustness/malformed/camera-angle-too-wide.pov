@@ -1,0 +1,6 @@
+#version 3.7;
+camera {
+  perspective
+  location -5 * z
+  angle 190
+}

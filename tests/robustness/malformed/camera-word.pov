@@ -1,0 +1,4 @@
+#version 3.7;
+camera {
+  position -5 * z
+}

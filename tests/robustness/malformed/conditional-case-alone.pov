@@ -1,0 +1,4 @@
+#version 3.7;
+#if (1)
+  #case (3)
+#end

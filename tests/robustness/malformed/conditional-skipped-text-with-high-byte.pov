@@ -1,0 +1,5 @@
+#version 3.7;
+#ifdef (Nothing)
+  something ignored
+  grün
+#end

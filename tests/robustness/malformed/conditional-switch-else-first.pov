@@ -1,0 +1,4 @@
+#version 3.7;
+#switch (1)
+  #else
+#end

@@ -1,0 +1,2 @@
+#version 3.7;
+#default { sphere { 0, 1 } }

@@ -1,0 +1,3 @@
+#version 3.7;
+#declare V = <1, 2, 3>;
+#declare F = function { x + V }

@@ -1,0 +1,3 @@
+#version 3.7;
+#include "mistake.inc"
+sphere { 0, 1 }

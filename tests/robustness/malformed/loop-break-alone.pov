@@ -1,0 +1,3 @@
+#version 3.7;
+sphere { 0, 1 }
+#break

@@ -1,0 +1,5 @@
+#version 3.7;
+#for (I, 1, 10)
+  #declare I = "one";
+
+#end

@@ -1,0 +1,4 @@
+#version 3.7;
+#for (I, 1, 10)
+  #undef I
+#end

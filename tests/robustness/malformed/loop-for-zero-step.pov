@@ -1,0 +1,3 @@
+#version 3.7;
+#for (I, 1, 10, 0)
+#end

@@ -1,0 +1,6 @@
+#version 3.7;
+#macro Ball(Centre, Radius)
+  sphere { Centre, Radius }
+#end
+Ball(x, 1)
+Ball(x)

@@ -1,0 +1,5 @@
+#version 3.7;
+#macro Ball(Centre, Radius)
+  sphere { Centre, Radius }
+#end
+Ball(x, 1, 2)

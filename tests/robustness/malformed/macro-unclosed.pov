@@ -1,0 +1,4 @@
+#version 3.7;
+sphere { 0, 1 }
+#macro M()
+  sphere { 0, 1 }

@@ -1,0 +1,3 @@
+#version 3.7;
+#declare Radius = 2
+#declare Height = 3;

@@ -1,0 +1,5 @@
+#version 3.7;
+sphere {
+  0, 1
+  sturm
+}

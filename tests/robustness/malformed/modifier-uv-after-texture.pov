@@ -1,0 +1,6 @@
+#version 3.7;
+sphere {
+  0, 1
+  pigment { rgb 1 }
+  uv_mapping
+}

@@ -1,0 +1,2 @@
+#version 3.7;
+#declare A = (x ? 1 : 2);

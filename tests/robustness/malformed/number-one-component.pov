@@ -1,0 +1,3 @@
+#version 3.7;
+#declare A = <1, 2>;
+#declare B = <1>;

@@ -1,0 +1,2 @@
+#version 3.7;
+sphere 0, 1 }

@@ -1,0 +1,4 @@
+#version 3.7;
+global_settings {
+  noise_generator 5
+}

@@ -1,0 +1,6 @@
+#version 3.7;
+global_settings {
+  photons {
+    spacing
+  }
+}

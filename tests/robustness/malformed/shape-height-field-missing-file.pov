@@ -1,0 +1,4 @@
+#version 3.7;
+height_field {
+  png "there_is_no_such_picture.png" smooth
+}

@@ -1,0 +1,4 @@
+#version 3.7;
+julia_fractal {
+  max_iteration 5
+}

@@ -1,0 +1,4 @@
+#version 3.7;
+superellipsoid {
+  0, 1
+}

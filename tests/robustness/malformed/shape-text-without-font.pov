@@ -1,0 +1,4 @@
+#version 3.7;
+text {
+  "Dürer", 1, 0
+}

@@ -1,0 +1,2 @@
+#version 3.7;
+sky_sphere { rgb 1 }

@@ -1,0 +1,3 @@
+// An include file that includes itself, far too deep.
+#version 3.7;
+#include "recursive.inc"

@@ -1,0 +1,10 @@
+#version 3.7;
+sphere {
+  0, 1
+  pigment {
+    marble
+    color_map {
+      0 rgb 1
+    }
+  }
+}

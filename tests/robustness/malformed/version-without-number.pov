@@ -1,0 +1,2 @@
+#version;
+sphere { 0, 1 }
