@@ -43,6 +43,7 @@ class Stopwatch {
 ParseOptions parse_options(const Options& options, const FrameSettings& frame, Console& console) {
   ParseOptions parse;
   parse.input_file = frame.scene_path;
+  parse.input_name = options.input_file;
   parse.library_paths = options.library_paths;
   parse.include_header = options.include_header;
   parse.clock = frame.clock;

@@ -162,7 +162,8 @@ void OptionReader::read_named(const OptionEntry& entry, Text& text) {
       set(entry, text.quoted(), text);
     } else {
       const size_t begin = text.at;
-      std::string_view value = text.word(",;#\"'");
+      // Commas separate several values in INI files only.
+      std::string_view value = text.word(text.from_ini ? ",;#\"'" : ";#\"'");
       // Declare=foo="a b": the string is part of the value.
       if (entry.id == Option::declare && is_quote(text.peek()) && !text.from_ini) {
         text.fail("a declared string needs quotes around the whole: Declare='name=\"text\"'");

@@ -154,6 +154,7 @@ enum class Option : uint8_t {
   allow_write,
   integrator,
   max_array_elements,
+  max_memory,
   max_loop_turns,
   parse_only,
   preview_interval,

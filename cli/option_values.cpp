@@ -172,7 +172,10 @@ std::string OptionValues::to_ini() const {
         break;
       case OptionKind::list:
         for (const std::string& element : v.list) {
-          out += name + (entry.id == Option::declare ? element : "\"" + element + "\"") + "\n";
+          // A declared string is quoted itself.
+          const bool has_string = element.find('"') != std::string::npos;
+          const char* quote = entry.id != Option::declare ? "\"" : has_string ? "'" : "";
+          out += name + quote + element + quote + "\n";
         }
         break;
       case OptionKind::include_ini:

@@ -18,7 +18,7 @@ int available_processors() {
 // Declare=name=value. A string keeps its quotes: the parser tells it from a number by them.
 std::pair<std::string, std::string> declaration(const std::string& text) {
   const size_t equals = text.find('=');
-  if (equals == 0 || equals == std::string::npos) {
+  if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
     throw OptionError("Declare needs a name and a value, as in Declare=size=3, not '" + text + "'");
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
@@ -206,6 +206,7 @@ void resolve_commands(const OptionValues& values, Options& options) {
   options.writable_folders = values.list(Option::allow_write);
   options.max_loop_turns = values.number(Option::max_loop_turns, 0);
   options.max_array_elements = values.number(Option::max_array_elements, 0);
+  options.max_memory = values.number(Option::max_memory, 0);
 }
 
 // Row and column bounds are rounded to single precision first and then used in double.

@@ -11,6 +11,7 @@
 #include "cli/frame.h"
 #include "cli/help.h"
 #include "cli/interrupt.h"
+#include "cli/memory_limit.h"
 #include "cli/option_reader.h"
 #include "cli/options.h"
 #include "cli/output_name.h"
@@ -92,7 +93,7 @@ class Run {
       console_.line(Stream::fatal, place + ": not supported yet: " + missing.what());
       return finish(failed(kNotSupported));
     } catch (const std::bad_alloc&) {
-      console_.line(Stream::fatal, "durer: out of memory");
+      console_.line(Stream::fatal, "durer: out of memory (--max-memory MB sets the limit)");
       return finish(failed(kFailure));
     }
   }
@@ -242,6 +243,7 @@ int run(const std::vector<std::string>& arguments) {
     complain("no scene is given. Try: durer scene.pov +W800 +H600, or durer --help");
     return kFailure;
   }
+  limit_memory(options.max_memory);
   return Run(options).render_all(reader.notes());
 }
 
