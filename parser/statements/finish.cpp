@@ -58,7 +58,7 @@ class FinishReader {
     } else if (parser_.accept(Keyword::crand)) {
       finish_.crand = number();
     } else if (parser_.accept(Keyword::conserve_energy)) {
-      finish_.conserve_energy = parser_.parse_optional_float(1) != 0;
+      finish_.conserve_energy = true;
     } else if (parser_.accept(Keyword::reflection_exponent)) {
       finish_.reflection_exponent = number();
       if (finish_.reflection_exponent == 0) parser_.error("reflection_exponent must not be 0");

@@ -31,8 +31,7 @@ std::shared_ptr<const InteriorNode> parse_interior(Parser& parser) {
     } else if (parser.accept(Keyword::fade_power)) {
       node->fade_power = number();
     } else if (parser.accept(Keyword::refraction)) {
-      parser.parse_float();
-      parser.warning("refraction in an interior has no effect");
+      node->refraction = number();
     } else if (parser.accept(Keyword::media)) {
       node->media.push_back(parse_media(parser));
     } else {

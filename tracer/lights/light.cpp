@@ -61,6 +61,8 @@ double Light::attenuation(const Vec3& point, const Vec3& center,
   }
   if (node_.fade_power > 0 && std::abs(node_.fade_distance) > kEpsilon) {
     result *= 2 / (1 + std::pow(to_light.distance / node_.fade_distance, node_.fade_power));
+    // Behind a parallel light the distance is negative, and not every power of it exists.
+    if (std::isnan(result)) return 0;
   }
   return result;
 }
@@ -68,13 +70,13 @@ double Light::attenuation(const Vec3& point, const Vec3& center,
 AreaLightGrid::AreaLightGrid(const Light& light, const Vec3& point)
     : node(light.node()), axis1(light.node().axis1), axis2(light.node().axis2) {
   if (!node.orient) return;
-  // Turn the disc towards the point, keeping the axes' lengths.
+  // Turn the disc towards the point; its diameter is the first axis.
   const Vec3 towards = normalize_or_zero(node.location - point);
   const Vec3 helper = std::abs(std::abs(towards.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-  const double length1 = length(axis1), length2 = length(axis2);
+  const double diameter = length(axis1);
   const Vec3 first = normalize_or_zero(cross(towards, helper));
-  axis1 = first * length1;
-  axis2 = normalize_or_zero(cross(towards, first)) * length2;
+  axis1 = first * diameter;
+  axis2 = normalize_or_zero(cross(towards, first)) * diameter;
 }
 
 Vec3 AreaLightGrid::sample(int i, int j, double jitter_i, double jitter_j) const {

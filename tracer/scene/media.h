@@ -15,7 +15,7 @@ struct MediaNode {
   int max_samples = 10;
   float jitter = 0;
   float aa_threshold = 0.1f;
-  int aa_level = 4;
+  int aa_level = 3;
   float confidence = 0.9f;
   float variance = 1.0f / 128.0f;
   float ratio = 0.9f;

@@ -132,6 +132,7 @@ struct InteriorNode {
   float dispersion = 1;
   int dispersion_samples = 7;
   float caustics = 0;
+  float refraction = 1;  // counts only under a patterned texture, see the finish's
   RGB fade_color{0.0f};
   float fade_distance = 0;
   float fade_power = 0;

@@ -7,6 +7,8 @@ namespace durer {
 namespace {
 
 constexpr double kShadowTolerance = 1e-3;
+// World::closest_hit itself passes over the first 1e-4.
+constexpr double kShadowStart = kShadowTolerance - 1e-4;
 constexpr double kEpsilon = 1e-10;
 constexpr uint32_t kPurposeAreaLight = 1;
 
@@ -20,7 +22,7 @@ double color_distance(const RGB& a, const RGB& b) {
 
 // Filters of all layers multiply; `caustics` brightens where the light crosses head-on.
 RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& texture,
-                          const Vec3& point, const TextureContext& context, float caustics,
+                          const Vec3& point, const TextureContext& context, double caustics,
                           EnclosingFrames& frames) {
   if (texture.selector) {
     WeightedTexture children[TextureSelector::kMostTextures];
@@ -39,11 +41,10 @@ RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& text
     ColorRGBFT c;
     if (!layer.pigment->evaluate(point, context, c)) continue;
     product *= c.rgb() * c.filter + RGB(c.transmit);
-    const float q = layer.finish.legacy_caustics >= 0 ? layer.finish.legacy_caustics : caustics;
-    if (q != 0) {
+    if (caustics != 0) {
       const Vec3 normal = normalize_or_zero(layer_normal(layer, frames, point, context));
       const double cosine = std::abs(dot(normal, context.ray_direction));
-      product *= static_cast<float>(1 + std::pow(cosine, q));
+      product *= static_cast<float>(1 + std::pow(cosine, caustics));
     }
   }
   return product;
@@ -77,14 +78,13 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
       surface.object->uv_mapping ? Vec3(surface.uv.x, surface.uv.y, 0) : surface.point;
 
   const WorldInterior& interior = scene.world->interiors()[surface.object->interior];
-  const float caustics = interior.node ? 45 * interior.node->caustics : 0;
   RGB sum(0.0f);
   for (int i = 0; i < surface.share_count; ++i) {
     const TextureShare& share = surface.shares[i];
     if (surface.share_count > 1 && share.weight < scene.scene.settings.adc_bailout) continue;
     EnclosingFrames frames;
     sum += share.weight * texture_transmittance(scene, *scene.textures[share.texture], point,
-                                                context, caustics, frames);
+                                                context, interior.caustics, frames);
   }
   if (interior.node && interior.node->fade_power > 0 &&
       std::abs(interior.node->fade_distance) > kEpsilon &&
@@ -110,35 +110,42 @@ ArrivingLight DirectLight::unshadowed(int index, const Vec3& point) const {
 void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ray,
                                ArrivingLight& arriving, RayCounts& counts) const {
   const LightNode& node = scene_.lights[index].node();
-  double margin = 0;
-  if (node.projected_through) {
-    double depth;
-    if (!scene_.world->closest_hit_of_projected(index, point, arriving.direction.direction,
-                                                depth) ||
-        depth >= arriving.direction.distance) {
-      arriving.color = RGB(0.0f);
-      return;
-    }
-    margin = arriving.direction.distance - depth + kShadowTolerance;
-  }
   if (scene_.options.quality < 4 || (node.shadowless && !node.projected_through)) return;
   if (ray.level > scene_.scene.settings.max_trace_level) {
     arriving.color = RGB(0.0f);
     return;
   }
   if (node.area && scene_.options.quality >= 5) {
-    arriving.color = area_shadow(index, point, ray, margin, arriving.color, counts);
+    arriving.color = area_shadow(index, point, ray, arriving.color, counts);
   } else {
-    trace_shadow(index, point, arriving.direction, ray, margin, arriving.color, counts);
+    trace_shadow(index, point, arriving.direction, ray, arriving.color, counts);
   }
 }
 
+// A light with projected_through shines only through that object. What lies beyond the object, the
+// last `margin` of the way, casts no shadow.
+bool DirectLight::passes_projection(int index, const Vec3& point, const LightDirection& to_light,
+                                    double& margin) const {
+  if (!scene_.lights[index].node().projected_through) return true;
+  double depth;
+  if (!scene_.world->closest_hit_of_projected(index, point, to_light.direction, depth) ||
+      depth >= to_light.distance) {
+    return false;
+  }
+  margin = to_light.distance - depth + kShadowTolerance;
+  return true;
+}
+
 void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirection& to_light,
-                               const TracedRay& ray, double margin, RGB& color,
-                               RayCounts& counts) const {
+                               const TracedRay& ray, RGB& color, RayCounts& counts) const {
   ++counts.shadow;
+  double margin = 0;
+  if (!passes_projection(index, point, to_light, margin)) {
+    color = RGB(0.0f);
+    return;
+  }
   double remaining = to_light.distance;
-  if (remaining <= kShadowTolerance) return;
+  if (remaining <= kShadowTolerance || scene_.lights[index].node().shadowless) return;
   const World& world = *scene_.world;
   // Most shadow rays are stopped by something opaque or by nothing.
   if (world.occluded_by_opaque(point, to_light.direction,
@@ -154,12 +161,12 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
   for (;;) {
     Hit hit;
     // Nothing nearer than the tolerance counts, at either end.
-    const Vec3 start = origin + kShadowTolerance * to_light.direction;
-    if (!world.closest_clear_hit(start, to_light.direction,
-                                 remaining - margin - kShadowTolerance, hit)) {
+    const Vec3 start = origin + kShadowStart * to_light.direction;
+    if (!world.closest_clear_hit(start, to_light.direction, remaining - margin - kShadowStart,
+                                 hit)) {
       break;
     }
-    const double depth = hit.t + kShadowTolerance;
+    const double depth = hit.t + kShadowStart;
     if (depth >= remaining - kShadowTolerance || remaining - depth <= margin) break;
     SurfacePoint surface;
     world.surface_point(start, to_light.direction, hit, surface);
@@ -168,7 +175,7 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
       color = RGB(0.0f);
       return;
     }
-    if (through_air) {
+    if (through_air && scene_.is_in_air(interiors)) {
       float ignored = 0;
       scene_.atmosphere.apply_fog(origin, to_light.direction, depth, true, color, ignored);
     }
@@ -176,7 +183,7 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
     origin = surface.point;
     remaining -= depth;
   }
-  if (through_air && remaining > kShadowTolerance) {
+  if (through_air && remaining > kShadowTolerance && scene_.is_in_air(interiors)) {
     float ignored = 0;
     scene_.atmosphere.apply_fog(origin, to_light.direction, remaining, true, color, ignored);
   }
@@ -216,8 +223,8 @@ class AreaSampler {
 
 }  // namespace
 
-RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray, double margin,
-                             const RGB& color, RayCounts& counts) const {
+RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray, const RGB& color,
+                             RayCounts& counts) const {
   const Light& light = scene_.lights[index];
   const LightNode& node = light.node();
   const AreaLightGrid grid(light, point);
@@ -236,13 +243,11 @@ RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray,
     if (cached && known[cell]) return cache[cell];
     const uint32_t counter = static_cast<uint32_t>(cell) * 2;
     const uint32_t purpose = kPurposeAreaLight + 16 * static_cast<uint32_t>(index);
-    const Vec3 center = node.jitter
-                            ? grid.sample(i, j, path_random(ray.path, purpose, counter),
-                                          path_random(ray.path, purpose, counter + 1))
-                            : grid.sample(i, j, 0, 0);
+    const Vec3 center = node.jitter ? grid.sample(i, j, path_random(ray.path, purpose, counter),
+                                                  path_random(ray.path, purpose, counter + 1))
+                                    : grid.sample(i, j, 0, 0);
     RGB arriving = color;
-    trace_shadow(index, point, light.direction_from(point, center), ray, margin, arriving,
-                 counts);
+    trace_shadow(index, point, light.direction_from(point, center), ray, arriving, counts);
     if (cached) {
       known[cell] = true;
       cache[cell] = arriving;

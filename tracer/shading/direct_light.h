@@ -26,9 +26,11 @@ class DirectLight {
  private:
   // Follows one shadow ray from the point to `center`; multiplies color.
   void trace_shadow(int light, const Vec3& point, const LightDirection& to_light,
-                    const TracedRay& ray, double margin, RGB& color, RayCounts& counts) const;
-  RGB area_shadow(int light, const Vec3& point, const TracedRay& ray, double margin,
-                  const RGB& color, RayCounts& counts) const;
+                    const TracedRay& ray, RGB& color, RayCounts& counts) const;
+  RGB area_shadow(int light, const Vec3& point, const TracedRay& ray, const RGB& color,
+                  RayCounts& counts) const;
+  bool passes_projection(int light, const Vec3& point, const LightDirection& to_light,
+                         double& margin) const;
 
   const ShadingScene& scene_;
 };

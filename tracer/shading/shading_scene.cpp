@@ -21,6 +21,27 @@ void refuse_missing_features(const Scene& scene, const World& world, int quality
   if (scene.settings.photons.enabled) throw NotSupported("photons", {});
 }
 
+std::vector<int> lights_of_group(const World& world, int group) {
+  std::vector<int> result;
+  for (size_t i = 0; i < world.lights().size(); ++i) {
+    if (world.lights()[i].light_group == group) result.push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+// The lights that shine on the members of a group: the global ones if the outermost group around
+// them has global_lights, and those of the innermost group that has any.
+std::vector<int> lights_on(const World& world, int group) {
+  std::vector<int> global = lights_of_group(world, -1), local;
+  for (; group >= 0; group = world.light_groups()[group].parent) {
+    const LightGroup& around = world.light_groups()[group];
+    if (local.empty()) local = lights_of_group(world, group);
+    if (around.parent < 0 && !around.global_lights) global.clear();
+  }
+  global.insert(global.end(), local.begin(), local.end());
+  return global;
+}
+
 }  // namespace
 
 TextureSettings texture_settings(const Scene& scene, const ShadingOptions& options) {
@@ -55,23 +76,9 @@ ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
   }
   world->set_opaque_textures(std::move(opaque));
 
-  // Members of a group see their group's lights, and the global ones only if it says so.
-  lights_by_group.resize(world->light_groups().size() + 1);
-  for (size_t i = 0; i < world->lights().size(); ++i) {
-    const WorldLight& light = world->lights()[i];
-    lights.emplace_back(*light.node);
-    if (light.light_group >= 0) continue;
-    lights_by_group[0].push_back(static_cast<int>(i));
-    for (size_t group = 0; group < world->light_groups().size(); ++group) {
-      if (world->light_groups()[group].global_lights) {
-        lights_by_group[group + 1].push_back(static_cast<int>(i));
-      }
-    }
-  }
-  for (size_t i = 0; i < world->lights().size(); ++i) {
-    const int group = world->lights()[i].light_group;
-    if (group >= 0) lights_by_group[group + 1].push_back(static_cast<int>(i));
-  }
+  for (const WorldLight& light : world->lights()) lights.emplace_back(*light.node);
+  const int groups = static_cast<int>(world->light_groups().size());
+  for (int group = -1; group < groups; ++group) lights_by_group.push_back(lights_on(*world, group));
 }
 
 }  // namespace durer

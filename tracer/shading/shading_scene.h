@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/lights/light.h"
+#include "tracer/shading/interior_list.h"
 #include "tracer/texture/surface_texture.h"
 #include "tracer/volumes/atmosphere.h"
 #include "tracer/world/world.h"
@@ -33,6 +34,13 @@ struct ShadingScene {
   std::vector<std::vector<int>> lights_by_group;
   Atmosphere atmosphere;
 
+  // Whether a ray in these interiors meets the air's fog, media and rainbows: all are hollow.
+  bool is_in_air(const InteriorList& interiors) const {
+    for (const int i : interiors) {
+      if (!world->interiors()[i].hollow) return false;
+    }
+    return true;
+  }
   const std::vector<int>& lights_of(const WorldObject& object) const {
     return lights_by_group[object.light_group + 1];
   }

@@ -31,9 +31,7 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
                                      RayCounts& counts, RGB& color, float& transmit) const {
   const auto& interiors = scene_.world->interiors();
   const WorldInterior& interior = hit.interior;
-  const FinishNode& finish = top_layer.finish;
-  const double own_ior =
-      finish.legacy_ior >= 0 ? static_cast<double>(finish.legacy_ior) : interior.ior;
+  const double own_ior = interior.ior;
 
   // What the ray is in behind the surface, and the ratio of the indices.
   InteriorList behind = ray.interiors;
@@ -67,7 +65,7 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   if (position >= 0 && interior.node && std::abs(interior.node->fade_distance) > kEpsilon) {
     attenuation = interior_fade(*interior.node, hit.depth);
   }
-  if (finish.legacy_refraction >= 0) attenuation *= finish.legacy_refraction;
+  attenuation *= interior.refraction;
   const RGB passed = filtered ? attenuation * filter : attenuation;
 
   const bool straight = std::abs(ratio - 1) < kEpsilon && std::abs(dispersion - 1) < kEpsilon;
@@ -82,6 +80,8 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   next.path = extend_path(ray.path, kEventTransmission);
   next.interiors = behind;
   if (straight) {
+    // Straight on counts as one level, however many surfaces follow.
+    if (ray.level + 1 >= scene_.scene.settings.max_trace_level) return false;
     const RayResult seen = trace(next, counts);
     color += passed * seen.color;
     transmit = attenuation.grey() * seen.transmit;

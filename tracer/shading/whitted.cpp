@@ -69,10 +69,7 @@ RayResult WhittedIntegrator::follow(const TracedRay& ray, RayCounts& counts) con
   // What lies in the air, if the ray is in the air.
   const bool airy = scene_.atmosphere.has_fog() || scene_.atmosphere.has_rainbow();
   if (airy && scene_.options.quality >= 9) {
-    const auto& interiors = scene_.world->interiors();
-    const bool hollow = std::all_of(ray.interiors.begin(), ray.interiors.end(),
-                                    [&](int i) { return interiors[i].hollow; });
-    if (hollow) {
+    if (scene_.is_in_air(ray.interiors)) {
       if (scene_.atmosphere.has_rainbow()) {
         scene_.atmosphere.apply_rainbow(ray.direction, result.depth,
                                         path_random(ray.path, kPurposeRainbow, 0), result.color,
@@ -89,17 +86,22 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
                                       double depth, RayCounts& counts, RayResult& result) const {
   if (observer_) [[unlikely]] observer_->ray_hit(ray, surface, depth);
   const int interior = surface.object->interior;
-  SurfaceHit hit{surface, scene_.world->interiors()[interior], {}, depth,
-                 ray.interiors.find(interior) >= 0};
+  SurfaceHit hit{surface, scene_.world->interiors()[interior], {},
+                 depth,   ray.interiors.find(interior) >= 0,   nullptr};
   hit.context.has_surface = true;
   hit.context.ray_direction = ray.direction;
-  hit.context.normal =
-      dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
+  hit.context.normal = dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
   hit.context.world_point = surface.point;
   hit.context.uv = surface.uv;
   const Vec3 point =
       surface.object->uv_mapping ? Vec3(surface.uv.x, surface.uv.y, 0) : surface.point;
 
+  ShadowedLights lights;
+  const CompiledTexture* first =
+      surface.share_count ? scene_.textures[surface.shares[0].texture].get() : nullptr;
+  if (surface.share_count > 1 || (first && (first->selector || first->layers.size() > 1))) {
+    hit.lights = &lights;
+  }
   if (surface.share_count == 1) {
     EnclosingFrames frames;
     shade_texture(ray, hit, *scene_.textures[surface.shares[0].texture], point, frames, counts,
@@ -178,8 +180,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
       if (recursive_ && (!finish.reflection_max.is_black() || !finish.reflection_min.is_black())) {
         double relative_ior = 1;
         if (finish.reflection_fresnel) {
-          const double ior =
-              finish.legacy_ior >= 0 ? static_cast<double>(finish.legacy_ior) : hit.interior.ior;
+          const double ior = hit.interior.ior;
           if (ray.interiors.empty()) {
             relative_ior = ior;
           } else if (hit.inside_interior) {
@@ -261,9 +262,10 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
       finish.phong == 0) {
     return sum;
   }
-  for (int light : scene_.lights_of(*hit.surface.object)) {
+  int place = 0;
+  for (const int light : scene_.lights_of(*hit.surface.object)) {
     const RGB direct =
-        light_contribution(ray, hit, layer, pigment, normal, opacity, light, counts);
+        light_contribution(ray, hit, layer, pigment, normal, opacity, light, place++, counts);
     sum += direct;
     if (observer_) [[unlikely]] report(ray, ContributionKind::direct, filter * direct, light);
   }
@@ -375,7 +377,7 @@ RGB WhittedIntegrator::photon_light(const TracedRay& ray, const SurfaceHit& hit,
 
 RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit& hit,
                                           const TextureLayer& layer, const ColorRGBFT& pigment,
-                                          const Vec3& normal, float opacity, int index,
+                                          const Vec3& normal, float opacity, int index, int place,
                                           RayCounts& counts) const {
   const FinishNode& finish = layer.finish;
   const Light& light = scene_.lights[index];
@@ -392,20 +394,27 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
       backside = true;
     }
   }
-  direct_light_.apply_shadow(index, point, ray, arriving, counts);
+  const bool remembers = hit.lights && place < ShadowedLights::kMost;
+  if (remembers && hit.lights->is_known[place]) {
+    arriving.color = hit.lights->color[place];
+  } else {
+    direct_light_.apply_shadow(index, point, ray, arriving, counts);
+    if (remembers) {
+      hit.lights->is_known[place] = true;
+      hit.lights->color[place] = arriving.color;
+    }
+  }
   if (observer_) [[unlikely]] observer_->light_tested(ray, index, point, arriving.color);
   if (is_dark(arriving.color)) return RGB(0.0f);
 
   const RGB base = pigment.rgb();
   const bool may_shine = !node.shadowless && !ray.kind.radiosity;
   RGB sum(0.0f);
-  auto add = [&](const Vec3& to_light, const RGB& light_color, bool from_behind,
-                 uint32_t draw) {
-    LobeShares shares =
-        lobe_shares(layer, ray.direction, normal, to_light,
-                    from_behind ? finish.diffuse_back : finish.diffuse, opacity,
-                    may_shine && !from_behind);
-    if (finish.crand > 0) {
+  auto add = [&](const Vec3& to_light, const RGB& light_color, bool from_behind, uint32_t draw) {
+    LobeShares shares = lobe_shares(layer, ray.direction, normal, to_light,
+                                    from_behind ? finish.diffuse_back : finish.diffuse, opacity,
+                                    may_shine && !from_behind);
+    if (finish.crand > 0 && (from_behind ? finish.diffuse_back : finish.diffuse) > 0) {
       const uint32_t purpose = kPurposeCrand + 16 * static_cast<uint32_t>(index);
       shares.diffuse -= finish.crand * static_cast<float>(path_random(ray.path, purpose, draw));
     }
@@ -430,11 +439,9 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
         const Vec3 center = grid.sample(i, j, path_random(ray.path, purpose, 2 * cell),
                                         path_random(ray.path, purpose, 2 * cell + 1));
         const LightDirection to_sample = light.direction_from(point, center);
-        const float attenuation =
-            static_cast<float>(light.attenuation(point, center, to_sample));
+        const float attenuation = static_cast<float>(light.attenuation(point, center, to_sample));
         bool behind = false;
-        if (!hit.surface.object->double_illuminate &&
-            dot(normal, to_sample.direction) < kEpsilon) {
+        if (!hit.surface.object->double_illuminate && dot(normal, to_sample.direction) < kEpsilon) {
           if (finish.diffuse_back == 0) continue;
           behind = true;
         }
@@ -446,10 +453,10 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   }
 
   if (finish.irid.amount > 0) {
-    sum *= irid_factor(finish.irid, hit.surface.point,
-                       std::abs(dot(normal, arriving.direction.direction)) +
-                           std::abs(dot(normal, ray.direction)),
-                       scene_.scene.settings);
+    sum *= irid_factor(
+        finish.irid, hit.surface.point,
+        std::abs(dot(normal, arriving.direction.direction)) + std::abs(dot(normal, ray.direction)),
+        scene_.scene.settings);
   }
   return sum;
 }
@@ -477,10 +484,10 @@ RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, cons
   next.path = extend_path(ray.path, kEventReflection);
   RGB seen = trace(next, counts).color;
   if (layer.finish.irid.amount > 0) {
-    seen *= irid_factor(layer.finish.irid, hit.surface.point,
-                        std::abs(dot(normal, next.direction)) +
-                            std::abs(dot(normal, ray.direction)),
-                        scene_.scene.settings);
+    seen *=
+        irid_factor(layer.finish.irid, hit.surface.point,
+                    std::abs(dot(normal, next.direction)) + std::abs(dot(normal, ray.direction)),
+                    scene_.scene.settings);
   }
   return seen;
 }

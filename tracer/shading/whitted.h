@@ -1,4 +1,5 @@
-// POV-Ray's light transport: Whitted's recursion with POV-Ray's shading model (spec/shading.md 7-11).
+// POV-Ray's light transport: Whitted's recursion with POV-Ray's shading model (spec/shading.md
+// 7-11).
 #pragma once
 
 #include "tracer/shading/direct_light.h"
@@ -25,6 +26,12 @@ class WhittedIntegrator : public Integrator {
   RayResult trace(const TracedRay& ray, RayCounts& counts) const override;
 
  private:
+  // The light that reaches a hit, once known; for surfaces with several layers or textures.
+  struct ShadowedLights {
+    static constexpr int kMost = 8;
+    RGB color[kMost];
+    bool is_known[kMost] = {};
+  };
   // What all textures of one hit share.
   struct SurfaceHit {
     const SurfacePoint& surface;
@@ -32,6 +39,7 @@ class WhittedIntegrator : public Integrator {
     TextureContext context;  // normal: facing the ray
     double depth;            // length of the segment that ends here
     bool inside_interior;    // the ray is in this object's interior
+    ShadowedLights* lights;  // null: asked for once only
     // Indirect light is asked once for all layers.
     mutable bool ambient_asked = false, has_ambient = false;
     mutable RGB ambient{0.0f};
@@ -60,7 +68,7 @@ class WhittedIntegrator : public Integrator {
                                            const RGB& color, int light = -1) const;
   RGB light_contribution(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& layer,
                          const ColorRGBFT& pigment, const Vec3& normal, float opacity, int light,
-                         RayCounts& counts) const;
+                         int place, RayCounts& counts) const;
   RGB reflect(const TracedRay& ray, const SurfaceHit& hit, const Vec3& normal,
               const TextureLayer& layer, float weight, RayCounts& counts) const;
   // Light from behind the surface. True on total internal reflection.

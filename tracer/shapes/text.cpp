@@ -259,10 +259,21 @@ class Font {
   FT_Face face_ = nullptr;
 };
 
+// Most texts of a scene are in one font: it stays open.
+Font& open_font(const std::string& path) {
+  thread_local std::string open_path;
+  thread_local std::unique_ptr<Font> font;
+  if (!font || open_path != path) {
+    font = std::make_unique<Font>(path);
+    open_path = path;
+  }
+  return *font;
+}
+
 }  // namespace
 
 std::vector<PlacedGlyph> lay_out_text(const TextNode& node) {
-  Font font(node.font);
+  Font& font = open_font(node.font);
   const bool unicode = std::any_of(node.text.begin(), node.text.end(),
                                    [](char16_t c) { return c > 127; });
   std::vector<PlacedGlyph> glyphs;

@@ -62,6 +62,7 @@ struct ResolvedObject {
   bool hollow = false, hollow_given = false, double_illuminate = false;
   bool cutaway_textures = false, split_union = true;
   bool is_csg_child = false;
+  bool is_light_of_group = false;  // a light written directly in a light_group
   PhotonSettings photons;
   double radiosity_importance = -1;
 

@@ -244,7 +244,7 @@ std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& opti
   std::unique_ptr<World> world(new World);
   WorldData& data = world->impl_->data;
   WorldBuilder builder(data, options, static_cast<double>(scene.atmosphere_ior),
-                       scene.default_texture);
+                       static_cast<double>(scene.atmosphere_dispersion), scene.default_texture);
   ObjectResolver resolver(scene.effective_version);
   resolver.find_shared(scene.objects);
   for (const ObjectPtr& object : scene.objects) builder.add_top_level(resolver.resolve(object));

@@ -52,6 +52,8 @@ struct WorldInterior {
   double ior = 1;                            // with "not set" resolved
   double dispersion = 1;
   int dispersion_samples = 7;
+  double caustics = 0;   // exponent of the brightening of shadows; 0: none
+  float refraction = 1;  // factor on the light that passes each surface
   bool hollow = false;
 };
 
@@ -77,10 +79,11 @@ struct SurfacePoint {
 // A light with its group; positions are final.
 struct WorldLight {
   std::shared_ptr<const LightNode> node;  // transformed into the world
-  int light_group = -1;                   // -1: shines on all but the members of closed groups
+  int light_group = -1;                   // -1: a global light
 };
 struct LightGroup {
-  bool global_lights = false;  // members are lit by the global lights, too
+  bool global_lights = false;  // of an outermost group: its members are lit by the global lights
+  int parent = -1;             // the group around this one, -1: none
 };
 
 

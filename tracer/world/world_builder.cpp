@@ -74,13 +74,25 @@ bool encloses(const Bounds& box, const Bounds& surface) {
          glm::all(glm::greaterThanEqual(box.max + margin, surface.max));
 }
 
+// The finish of a plain texture has a say in the interior (spec/shading.md 11.2): of the top layer
+// only. Members of a CSG share an interior: the last one that says something counts.
+void take_from_finish(WorldInterior& interior, const TextureNode& texture) {
+  if (texture.kind != TextureNode::Kind::plain) return;
+  static const FinishNode default_finish;
+  const FinishNode& finish = texture.finish ? *texture.finish : default_finish;
+  if (finish.legacy_ior >= 0) interior.ior = static_cast<double>(finish.legacy_ior);
+  if (finish.legacy_caustics >= 0) interior.caustics = static_cast<double>(finish.legacy_caustics);
+  interior.refraction = finish.legacy_refraction >= 0 ? finish.legacy_refraction : 1;
+}
+
 }  // namespace
 
 WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options, double atmosphere_ior,
-                           TexturePtr default_texture)
+                           double atmosphere_dispersion, TexturePtr default_texture)
     : data_(data),
       options_(options),
       atmosphere_ior_(atmosphere_ior),
+      atmosphere_dispersion_(atmosphere_dispersion),
       default_texture_(std::move(default_texture)),
       set_(&data.scene) {
   if (!default_texture_) default_texture_ = std::make_shared<const TextureNode>();
@@ -149,6 +161,11 @@ void WorldBuilder::add_instance(const ResolvedObject& copy) {
   set_->objects.push_back(top);
 }
 
+int WorldBuilder::add_light_group(const ResolvedObject& group, int parent) {
+  data_.light_groups.push_back({group.global_lights, parent});
+  return static_cast<int>(data_.light_groups.size()) - 1;
+}
+
 void WorldBuilder::split(ResolvedObject&& object, int light_group) {
   if (object.kind == ResolvedObject::Kind::copy) {
     // Only what is just moved stays shared; media know their place.
@@ -172,10 +189,7 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
     object.bounds.clear();
   }
   lift_no_shadow(object);
-  if (object.is_light_group) {
-    light_group = static_cast<int>(data_.light_groups.size());
-    data_.light_groups.push_back({object.global_lights});
-  }
+  if (object.is_light_group) light_group = add_light_group(object, light_group);
   const bool has_bounds =
       !object.bounds.empty() || (object.bounds_are_clips && !object.clips.empty());
   const auto is_finite = [](const ResolvedObject& child) { return !child.box.is_infinite(); };
@@ -200,6 +214,7 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
   inherit(object, nullptr, -1, interior);
   for (ResolvedObject& child : object.children) {
     child.is_csg_child = false;
+    child.is_light_of_group = object.is_light_group;
     inherit_from(child, object);
     if (child.shared_interior < 0 && !child.interior) child.shared_interior = interior;
     split(std::move(child), light_group);
@@ -223,6 +238,7 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
     interior = static_cast<int>(data_.interiors.size());
     WorldInterior fresh;
     fresh.ior = atmosphere_ior_;
+    fresh.dispersion = atmosphere_dispersion_;
     if (object.interior) {
       fresh.node = object.interior;
       if (object.interior_moved) {
@@ -236,15 +252,21 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
         }
         fresh.node = moved;
       }
-      if (fresh.node->ior != 0) fresh.ior = static_cast<double>(fresh.node->ior);
-      fresh.dispersion = static_cast<double>(fresh.node->dispersion);
+      // Without an ior there is no dispersion either.
+      if (fresh.node->ior != 0) {
+        fresh.ior = static_cast<double>(fresh.node->ior);
+        fresh.dispersion = static_cast<double>(fresh.node->dispersion);
+      }
       fresh.dispersion_samples = fresh.node->dispersion_samples;
+      fresh.caustics = 45.0 * static_cast<double>(fresh.node->caustics);
+      fresh.refraction = fresh.node->refraction;
     }
     data_.interiors.push_back(std::move(fresh));
   } else {
     interior = parent_interior;
   }
   data_.interiors[interior].hollow = object.hollow;
+  if (object.texture) take_from_finish(data_.interiors[interior], *object.texture.texture);
 }
 
 uint32_t WorldBuilder::object_number(const WorldObject& object, const ResolvedObject& source) {
@@ -346,14 +368,12 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
                             int parent_interior, int light_group, int32_t filter) {
   int interior = -1;
   inherit(object, parent, parent_interior, interior);
-  if (object.is_light_group && parent) {
-    light_group = static_cast<int>(data_.light_groups.size());
-    data_.light_groups.push_back({object.global_lights});
-  }
+  if (object.is_light_group && parent) light_group = add_light_group(object, light_group);
   const uint32_t index = new_node();
 
   if (object.kind == ResolvedObject::Kind::light) {
-    data_.lights.push_back({object.light, light_group});
+    // Only a group's own lights stay in it; those of a union in it shine everywhere.
+    data_.lights.push_back({object.light, object.is_light_of_group ? light_group : -1});
   }
 
   // Which members lend their textures to untextured surfaces: those of the outermost CSG that
@@ -364,6 +384,7 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   std::vector<uint32_t> children;
   children.reserve(object.children.size());
   for (ResolvedObject& child : object.children) {
+    child.is_light_of_group = object.is_light_group;
     children.push_back(emit(child, &object, interior, light_group, inner_filter));
   }
   const NodeRange clips = emit_list(object.clips);

@@ -94,7 +94,7 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
 class WorldBuilder {
  public:
   WorldBuilder(WorldData& data, const WorldOptions& options, double atmosphere_ior,
-               TexturePtr default_texture);
+               double atmosphere_dispersion, TexturePtr default_texture);
 
   void add_top_level(ResolvedObject&& object);
   // Without splitting and materials: for questions of the language and projected_through.
@@ -105,6 +105,7 @@ class WorldBuilder {
   void resolve_projected(ObjectResolver& resolver);
 
  private:
+  int add_light_group(const ResolvedObject& group, int parent);
   void split(ResolvedObject&& object, int light_group);
   void inherit(ResolvedObject& object, const ResolvedObject* parent, int parent_interior,
                int& interior);
@@ -121,7 +122,7 @@ class WorldBuilder {
 
   WorldData& data_;
   WorldOptions options_;
-  double atmosphere_ior_;
+  double atmosphere_ior_, atmosphere_dispersion_;
   TexturePtr default_texture_;
   std::unordered_map<const Shape*, uint32_t> owned_;
   std::unordered_map<const ResolvedObject*, uint32_t> groups_;

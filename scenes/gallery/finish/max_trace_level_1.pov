@@ -1,0 +1,11 @@
+// At a trace level of 1 mirrors are black, and so is what lies behind glass of any kind.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.6, -6> right 4/3*x look_at <0, 0.5, 0> angle 42 }
+light_source { <-3, 5, -5> rgb 1 }
+plane { y, 0 pigment { checker rgb 0.8 rgb <0.3, 0.25, 0.2> } finish { ambient 0.1 diffuse 0.7 } }
+sky_sphere { pigment { gradient y color_map { [0 rgb <0.9, 0.8, 0.6>] [0.5 rgb <0.3, 0.5, 0.9>] [1 rgb <0.1, 0.1, 0.5>] } } }
+global_settings { max_trace_level 1 }
+sphere { <-1.2, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.3, 0.2> } finish { reflection 0.5 } }
+sphere { <0.2, 0.6, 0>, 0.6 pigment { rgbt <0.9, 0.9, 1, 0.7> } }
+sphere { <1.6, 0.6, 0>, 0.6 pigment { rgbf <0.9, 0.9, 1, 0.7> } interior { ior 1.3 } }

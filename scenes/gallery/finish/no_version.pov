@@ -1,0 +1,9 @@
+// No #version at all: shaded as before 3.7, and the colours are written as they are.
+camera { location <0, 1.6, -6> right 4/3*x look_at <0, 0.5, 0> angle 42 }
+light_source { <-3, 5, -5> rgb 1 }
+plane { y, 0 pigment { checker rgb 0.8 rgb <0.3, 0.25, 0.2> } finish { ambient 0.1 diffuse 0.7 } }
+sky_sphere { pigment { gradient y color_map { [0 rgb <0.9, 0.8, 0.6>] [0.5 rgb <0.3, 0.5, 0.9>] [1 rgb <0.1, 0.1, 0.5>] } } }
+sphere { <-1.95, 0.6, 0>, 0.6 pigment { rgbf <0.4, 0.6, 0.2, 0.6> } finish { ambient 0.3 } }
+sphere { <-0.65, 0.6, 0>, 0.6 pigment { rgbf <0.4, 0.6, 0.2, 0.6> } finish { diffuse 0.8 } }
+sphere { <0.65, 0.6, 0>, 0.6 pigment { rgbf <0.4, 0.6, 0.2, 0.6> } finish { phong 0.7 } }
+sphere { <1.95, 0.6, 0>, 0.6 pigment { rgbf <0.4, 0.6, 0.2, 0.6> } finish { reflection 0.3 } }

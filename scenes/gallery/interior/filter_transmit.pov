@@ -1,0 +1,11 @@
+// Filter and transmit, alone and together, with and without bending; the alpha of layers multiplies.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.6, -6> right 4/3*x look_at <0, 0.5, 0> angle 42 }
+light_source { <-3, 5, -5> rgb 1 }
+plane { y, 0 pigment { checker rgb 0.8 rgb <0.3, 0.25, 0.2> } finish { ambient 0.1 diffuse 0.7 } }
+sky_sphere { pigment { gradient y color_map { [0 rgb <0.9, 0.8, 0.6>] [0.5 rgb <0.3, 0.5, 0.9>] [1 rgb <0.1, 0.1, 0.5>] } } }
+sphere { <-1.8, 0.6, 0>, 0.5 pigment { rgbf <0.9, 0.3, 0.3, 0.8> } finish { ambient 0.05 diffuse 0.4 }  }
+sphere { <-0.6, 0.6, 0>, 0.5 pigment { rgbt <0.3, 0.9, 0.3, 0.8> } finish { ambient 0.05 diffuse 0.4 }  }
+sphere { <0.6, 0.6, 0>, 0.5 pigment { rgbft <0.3, 0.5, 0.9, 0.5, 0.4> } finish { ambient 0.05 diffuse 0.4 } interior { ior 1.2 } }
+sphere { <1.8, 0.6, 0>, 0.5 pigment { rgbft <0.9, 0.9, 0.3, 0.7, 0.6> } finish { ambient 0.05 diffuse 0.4 }  }

@@ -1,0 +1,13 @@
+// Area lights of one row, of one point, and of 6 points, whose weights are 1, 2, 1, 1, 2, 1.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> right 4/3*x look_at <0, 0.4, 0> angle 45 }
+
+plane { y, 0 pigment { rgb <0.8, 0.78, 0.7> } finish { ambient 0.05 diffuse 0.8 } }
+#for (I, -2, 2)
+  cylinder { <I, 0, 0>, <I, 0.9, 0>, 0.2 pigment { rgb <0.5 + 0.2*I, 0.6, 0.7 - 0.2*I> } }
+#end
+
+light_source { <2, 4, -3> rgb 0.4 area_light <1.5, 0, 0.5>, <0, 1, 0>, 7, 1 }
+light_source { <-2, 4, -3> rgb 0.3 area_light <1.5, 0, 0.5>, <0, 1, 0>, 1, 1 }
+light_source { <0, 4, -3> rgb 0.4 area_light <1.5, 0, 0>, <0, 0, 1>, 1, 6 }

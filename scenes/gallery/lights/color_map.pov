@@ -1,0 +1,12 @@
+// The colour of a light may be a map: the sum of its entries, each times its place. Negative
+// colours take light away.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> right 4/3*x look_at <0, 0.4, 0> angle 45 }
+
+plane { y, 0 pigment { rgb <0.8, 0.78, 0.7> } finish { ambient 0.05 diffuse 0.8 } }
+sphere { <-1, 0.6, 0>, 0.6 pigment { rgb <0.9, 0.4, 0.3> } finish { specular 0.5 roughness 0.02 } }
+sphere { <0.9, 0.4, -0.8>, 0.4 pigment { rgb <0.3, 0.6, 0.9> } finish { phong 0.6 } }
+
+light_source { <2, 4, -3> color_map { [0.2 rgb <1, 1, 0.5>] [0.6 rgb <0.5, 0.2, 1>] } }
+light_source { <-2, 4, -3> rgb <-0.2, 0.3, 0.2> }

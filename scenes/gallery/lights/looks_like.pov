@@ -1,0 +1,17 @@
+// A light that looks like a lamp: the object is moved to where the light stands so far and casts
+// no shadow; what follows moves both.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> right 4/3*x look_at <0, 0.4, 0> angle 45 }
+
+plane { y, 0 pigment { rgb <0.8, 0.78, 0.7> } finish { ambient 0.05 diffuse 0.8 } }
+#for (I, -2, 2)
+  cylinder { <I, 0, 0>, <I, 0.9, 0>, 0.2 pigment { rgb <0.5 + 0.2*I, 0.6, 0.7 - 0.2*I> } }
+#end
+
+light_source {
+  0 rgb 1
+  translate <0.2, 1.4, -0.8>
+  looks_like { sphere { 0, 0.1 scale <2, 1, 1> pigment { rgb <1, 1, 0.6> } finish { ambient 1 diffuse 0 } } }
+  translate <-0.4, 0, 0>
+}

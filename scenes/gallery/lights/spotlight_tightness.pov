@@ -1,0 +1,12 @@
+// The tightness of a spotlight: the cosine to its power. A radius beyond 90 degrees has no edge.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> right 4/3*x look_at <0, 0.4, 0> angle 45 }
+
+plane { y, 0 pigment { rgb <0.8, 0.78, 0.7> } finish { ambient 0.05 diffuse 0.8 } }
+#for (I, -2, 2)
+  cylinder { <I, 0, 0>, <I, 0.9, 0>, 0.2 pigment { rgb <0.5 + 0.2*I, 0.6, 0.7 - 0.2*I> } }
+#end
+
+light_source { <-1.5, 3, -1.5> rgb 1 spotlight point_at <-1.5, 0, 0> radius 60 falloff 70 tightness 10 }
+light_source { <1.5, 3, -1.5> rgb 1 spotlight point_at <1.5, 0, 0> radius -120 falloff 10 tightness 30 }
