@@ -73,7 +73,7 @@ CASES = """
 s.pov | +Is | sub/q.pov | +Isub/q.pov +Ox.png | nosuch.pov | nosuch | bad.pov
 s.pov +Oout/ | s.pov +Oout | s.pov +O.png | sub/q.pov +Oout/.png | s.pov +Ofoo.tga | s.pov +Ofoo.PNG
 s.pov +Ofoo. | s.pov +Onone/foo | s.pov +O- | s.pov +Ostdout | s.pov -F | s.pov +FX | s.pov +FE +O-
-s.pov +FT | s.pov +FC | s.pov +FP | s.pov +FPg | s.pov +FB | s.pov +FJ | s.pov +FNg | s.pov +FN16
+s.pov +FT | s.pov +FC | s.pov +FP | s.pov +FB | s.pov +FJ | s.pov +FNg | s.pov +FN16
 s.pov +FTg | s.pov +FT +O- | s.pov +UA | s.pov +UA +FN16 | s.pov File_Gamma=1.0 | s.pov +THB2 +TH
 s.pov +KFF3 | s.pov +KFF4 +KC | s.pov +KFF10 +SF9 | s.pov +KFF9 +KC +SF8 | s.pov +KFF1 +KFI1
 s.pov +KFI0 +KFF0 | s.pov +K0.1 | s.pov +KFF3 +KI1 +KF4 | s.pov +KFI2 +KFF6 +STP2 | s.pov +KFF10 +SF0.9
