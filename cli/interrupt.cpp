@@ -33,7 +33,9 @@ void catch_interrupts() {
   action.sa_handler = handle;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  for (int signal : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) sigaction(signal, &action, nullptr);
+  // A file that grows beyond the user's limit is a failed write, not the end of the program.
+  signal(SIGXFSZ, SIG_IGN);
+  for (int number : {SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) sigaction(number, &action, nullptr);
 }
 
 std::atomic<bool>& stop_requested() { return stop; }

@@ -116,7 +116,7 @@ void OptionReader::read_switch(Text& text) {
   const std::string_view value = std::string_view(word).substr(name_length - (zero ? 1 : 0));
   if (entry->kind == OptionKind::file_type) {
     if (!values_.set_file_type_from_switch(value)) {
-      text.fail("'" + whole + "' is no file type (N T C J P B E H, with bits per colour or, for " +
+      text.fail("'" + whole + "' is no file type (N T C J P B E H F, with bits per colour or, for " +
                 "N and P, g)");
     }
   } else if (entry->kind == OptionKind::subset_frame && !zero) {
@@ -252,6 +252,17 @@ void OptionReader::read_item(Text& text) {
   read_plain_word(text);
 }
 
+// --type knows whole names; POV-Ray's Output_File_Type looks at the first letter only.
+static std::string file_type_letter(const std::string& name) {
+  static constexpr std::pair<const char*, const char*> kNames[] = {
+      {"png", "N"},  {"tga", "T"},  {"tga-rle", "C"}, {"jpeg", "J"}, {"jpg", "J"}, {"ppm", "P"},
+      {"bmp", "B"},  {"exr", "E"},  {"hdr", "H"},     {"tiff", "F"}, {"tif", "F"}};
+  for (const auto& [word, letter] : kNames) {
+    if (equal_ignoring_case(name, word)) return letter;
+  }
+  return name.size() == 1 ? name : "?";
+}
+
 void OptionReader::read_long_option(const std::vector<std::string>& arguments, size_t& index) {
   const std::string_view argument = std::string_view(arguments[index]).substr(2);
   const size_t equals = argument.find('=');
@@ -277,6 +288,7 @@ void OptionReader::read_long_option(const std::vector<std::string>& arguments, s
   } else {
     text.fail("--" + std::string(name) + " needs a value: " + entry->value_name);
   }
+  if (entry->kind == OptionKind::file_type) value = file_type_letter(value);
   set(*entry, value, text);
   if (entry->sign != Option::count) values_.set_toggle(entry->sign, true);
   // --supersampling grid 4

@@ -237,7 +237,7 @@ constexpr std::array<OptionEntry, kOptionCount> kOptions = {{
      ""},
     {Option::output_file_type, "Output_File_Type", "F", "type", OptionKind::file_type,
      Option::output_to_file, "T", OptionGroup::files,
-     "N PNG, T Targa, C compressed Targa, J JPEG, P PPM, B BMP, E OpenEXR, H Radiance; +FN16: bits, +FNg: grey",
+     "N PNG, T Targa, C compressed Targa, J JPEG, P PPM, B BMP, E OpenEXR, H Radiance, F TIFF; +FN16: bits, +FNg: grey; --type png, tga, tga-rle, jpeg, ppm, bmp, exr, hdr, tiff",
      ""},
     {Option::output_to_file, "Output_To_File", "F", "file", OptionKind::toggle,
      Option::count, "", OptionGroup::files,

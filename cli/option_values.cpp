@@ -43,7 +43,7 @@ bool read_number(std::string_view text, double& number) {
   return end != copy.c_str();
 }
 
-bool is_file_type(char letter) { return letter != 0 && std::strchr("NTCJPBEH", upper(letter)); }
+bool is_file_type(char letter) { return letter != 0 && std::strchr("NTCJPBEHF", upper(letter)); }
 
 bool OptionValues::toggle(Option id, bool otherwise) const {
   return is_set(id) ? value(id).toggle : otherwise;

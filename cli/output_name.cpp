@@ -17,6 +17,8 @@ const char* extension_of(char type) {
       return "exr";
     case 'H':
       return "hdr";
+    case 'F':
+      return "tif";
     default:
       return "png";
   }

@@ -2,10 +2,22 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <vector>
 
 namespace durer {
 namespace {
+
+// In the order of ShapeNode; the last two are never tested as such.
+constexpr const char* kShapeNames[] = {
+    "sphere",   "box",      "plane",        "cylinder",      "cone",          "disc",
+    "torus",    "superellipsoid", "ovus",   "triangle",      "smooth_triangle", "polygon",
+    "quadric",  "poly",     "lathe",        "sor",           "prism",         "sphere_sweep",
+    "blob",     "text",     "height_field", "bicubic_patch", "mesh",          "isosurface",
+    "parametric", "julia_fractal", "csg",   "light_source"};
+static_assert(std::size(kShapeNames) == std::tuple_size_v<ShapeTestCounts>);
 
 std::string json_string(const std::string& text) {
   std::string out = "\"";
@@ -47,8 +59,18 @@ std::string frame_json(const FrameStatistics& frame) {
   out += ", \"reflected\": " + std::to_string(rays.reflected);
   out += ", \"refracted\": " + std::to_string(rays.refracted);
   out += ", \"shadow\": " + std::to_string(rays.shadow);
-  out += ", \"total_internal\": " + std::to_string(rays.total_internal) + "}}";
-  return out;
+  out += ", \"total_internal\": " + std::to_string(rays.total_internal) + "}";
+  out += ",\n     \"shape_tests\": {";
+  bool first = true;
+  for (size_t i = 0; i < frame.render.shapes.size(); ++i) {
+    const ShapeTests& shape = frame.render.shapes[i];
+    if (shape.tests == 0) continue;
+    out += std::string(first ? "" : ", ") + "\"" + kShapeNames[i] +
+           "\": {\"tests\": " + std::to_string(shape.tests) +
+           ", \"hits\": " + std::to_string(shape.hits) + "}";
+    first = false;
+  }
+  return out + "}}";
 }
 
 }  // namespace
@@ -89,9 +111,25 @@ std::string statistics_json(const RunStatistics& run) {
 
 std::string statistics_text(const FrameStatistics& frame) {
   const RayCounts& rays = frame.render.rays;
-  return grouped(frame.render.samples) + " samples; rays: " + grouped(rays.primary) +
-         " primary, " + grouped(rays.reflected) + " reflected, " + grouped(rays.refracted) +
-         " refracted, " + grouped(rays.shadow) + " shadow";
+  std::string text = grouped(frame.render.samples) + " samples; rays: " + grouped(rays.primary) +
+                     " primary, " + grouped(rays.reflected) + " reflected, " +
+                     grouped(rays.refracted) + " refracted, " + grouped(rays.shadow) + " shadow";
+  // Tests of shapes, the most frequent first.
+  std::vector<size_t> kinds;
+  for (size_t i = 0; i < frame.render.shapes.size(); ++i) {
+    if (frame.render.shapes[i].tests > 0) kinds.push_back(i);
+  }
+  std::stable_sort(kinds.begin(), kinds.end(), [&](size_t a, size_t b) {
+    return frame.render.shapes[a].tests > frame.render.shapes[b].tests;
+  });
+  const char* separator = "\ntests: ";
+  for (const size_t kind : kinds) {
+    const ShapeTests& shape = frame.render.shapes[kind];
+    text += separator + std::string(kShapeNames[kind]) + " " + grouped(shape.tests) + " (" +
+            std::to_string(shape.hits * 100 / shape.tests) + " % hit)";
+    separator = ", ";
+  }
+  return text + "\npeak memory " + std::to_string(process_peak_kilobytes() / 1024) + " MB";
 }
 
 }  // namespace durer

@@ -27,7 +27,7 @@ struct RunStatistics {
 
 // Times and memory of the process are read when it is called.
 std::string statistics_json(const RunStatistics& run);
-// For people: two lines about one frame.
+// For people: some lines about one frame.
 std::string statistics_text(const FrameStatistics& frame);
 // 1234567 as 1 234 567.
 std::string grouped(uint64_t n);

@@ -29,16 +29,14 @@ ImageFileType accept_type(Parser& parser) {
   return ImageFileType::by_name;
 }
 
-bool accept_index_or_all(Parser& parser, std::optional<float>& all,
-                         std::vector<std::pair<int, float>>& by_index) {
-  if (parser.accept(Keyword::all)) {
-    all = static_cast<float>(parser.parse_float());
-    return true;
+void parse_index_or_all(Parser& parser, std::vector<std::pair<int, float>>& list) {
+  int index = ImageSource::kAllIndices;
+  if (!parser.accept(Keyword::all)) {
+    index = parser.parse_int();
+    if (index < 0) parser.error("a palette has no negative entries");
+    parser.accept_comma();
   }
-  const int index = parser.parse_int();
-  parser.accept_comma();
-  by_index.emplace_back(index, static_cast<float>(parser.parse_float()));
-  return true;
+  list.emplace_back(index, static_cast<float>(parser.parse_float()));
 }
 
 ImageInterpolation parse_interpolation(Parser& parser, bool strict) {
@@ -151,9 +149,9 @@ std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKi
     } else if (parser.accept(Keyword::offset)) {
       source->offset = parser.parse_uv();
     } else if (pigment && parser.accept(Keyword::filter)) {
-      accept_index_or_all(parser, source->filter_all, source->filter_by_index);
+      parse_index_or_all(parser, source->filter);
     } else if (pigment && parser.accept(Keyword::transmit)) {
-      accept_index_or_all(parser, source->transmit_all, source->transmit_by_index);
+      parse_index_or_all(parser, source->transmit);
     } else if (kind == PatternKind::image_pattern && parser.accept(Keyword::use_alpha)) {
       source->use_alpha = true;
     } else if (bump_size && parser.accept(Keyword::bump_size)) {

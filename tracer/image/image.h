@@ -77,8 +77,8 @@ class ImageSampler {
   bool locate(const Vec3& point, double& x, double& y) const;
   // Interpolated colour there, with the statement's filter and transmit; not un-premultiplied.
   ColorRGBFT color(double x, double y) const;
-  // The palette index, interpolated like a colour.
-  double index(double x, double y) const;
+  // The palette index, interpolated like a colour, then cut to an integer.
+  int index(double x, double y) const;
   const Image& image() const { return *image_; }
   bool is_opaque() const;
   bool is_premultiplied() const { return premultiplied_; }

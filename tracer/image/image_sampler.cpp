@@ -46,11 +46,14 @@ ImageSampler::ImageSampler(std::shared_ptr<const Image> image, const ImageSource
       repeated_height_(height_ * static_cast<double>(static_cast<float>(source.repeat.y))),
       offset_(source.offset) {
   if (!image_->is_palette()) {
-    if (!source.filter_by_index.empty() || !source.transmit_by_index.empty())
-      throw std::runtime_error("filter and transmit by index need an image with a palette: '" +
-                               source.path + "' has none");
-    added_filter_ = source.filter_all.value_or(0);
-    added_transmit_ = source.transmit_all.value_or(0);
+    for (const auto* list : {&source.filter, &source.transmit}) {
+      for (const auto& [index, value] : *list) {
+        if (index != ImageSource::kAllIndices)
+          throw std::runtime_error("filter and transmit by index need an image with a palette: '" +
+                                   source.path + "' has none");
+        (list == &source.filter ? added_filter_ : added_transmit_) = value;
+      }
+    }
     return;
   }
   // Of the palette, the entries themselves change.
@@ -60,20 +63,23 @@ ImageSampler::ImageSampler(std::shared_ptr<const Image> image, const ImageSource
                             : std::array<uint8_t, 4>{0, 0, 0, 255};
     ColorRGBFT c;
     c.transmit = 1 - static_cast<float>(entry[3]) / 255.0f;
-    if (source.filter_all) c.filter = *source.filter_all;
-    if (source.transmit_all) c.transmit = *source.transmit_all;
     palette_.push_back(c);
   }
+  // In the order of the text.
   const auto set = [&](const std::vector<std::pair<int, float>>& list, float ColorRGBFT::*part) {
     for (const auto& [index, value] : list) {
-      if (index < 0 || index >= image_->palette_size())
+      if (index == ImageSource::kAllIndices) {
+        for (ColorRGBFT& entry : palette_) entry.*part = value;
+      } else if (index >= 0 && index < image_->palette_size()) {
+        palette_[static_cast<size_t>(index)].*part = value;
+      } else {
         throw std::runtime_error("the palette of '" + source.path + "' has no entry " +
                                  std::to_string(index));
-      palette_[static_cast<size_t>(index)].*part = value;
+      }
     }
   };
-  set(source.filter_by_index, &ColorRGBFT::filter);
-  set(source.transmit_by_index, &ColorRGBFT::transmit);
+  set(source.filter, &ColorRGBFT::filter);
+  set(source.transmit, &ColorRGBFT::transmit);
 }
 
 bool ImageSampler::is_opaque() const {
@@ -189,8 +195,8 @@ ColorRGBFT ImageSampler::color(double x, double y) const {
   return interpolate<ColorRGBFT>(x, y, [this](int i, int j) { return fetch(i, j); });
 }
 
-double ImageSampler::index(double x, double y) const {
-  return static_cast<double>(interpolate<float>(
+int ImageSampler::index(double x, double y) const {
+  return static_cast<int>(interpolate<float>(
       x, y, [this](int i, int j) { return static_cast<float>(image_->index(i, j)); }));
 }
 

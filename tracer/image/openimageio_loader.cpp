@@ -4,13 +4,22 @@
 #include <unistd.h>
 
 #include <climits>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace durer {
 namespace {
 
+// Libraries that OpenImageIO brings along start threads as soon as they are loaded, unless told not to.
+void forbid_threads() {
+  for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "OPENIMAGEIO_THREADS"}) {
+    setenv(name, "1", 1);
+  }
+}
+
 // The module lies beside the executable in a build tree and below ../lib/durer when installed.
 void* load_module() {
+  forbid_threads();
   char executable[PATH_MAX];
   const ssize_t length = readlink("/proc/self/exe", executable, sizeof executable - 1);
   std::string folder(executable, length > 0 ? static_cast<size_t>(length) : 0);

@@ -185,5 +185,6 @@ extern "C" const char* durer_read_image(const char* path, durer::RasterFile* fil
     message = input->geterror();
     return message.c_str();
   }
+  file->straight_alpha = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
   return nullptr;
 }

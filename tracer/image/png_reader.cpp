@@ -71,9 +71,9 @@ RasterFile read_png(const std::string& path) {
   if (is_palette) {
     read_palette(png, info, file);
     png_set_packing(png);
-  } else {
-    if (png_get_bit_depth(png, info) < 8) png_set_expand_gray_1_2_4_to_8(png);
-    if (png_get_valid(png, info, PNG_INFO_tRNS)) png_set_tRNS_to_alpha(png);
+  } else if (png_get_bit_depth(png, info) < 8) {
+    // A transparent colour of the file is none to POV-Ray, only alpha channels and palettes are.
+    png_set_expand_gray_1_2_4_to_8(png);
   }
   png_set_interlace_handling(png);
   png_read_update_info(png, info);

@@ -25,6 +25,28 @@ ImageFileType image_type_of(const std::string& path) {
   return ImageFileType::png;
 }
 
+namespace {
+
+// Rounded as libtiff does it for POV-Ray, to whom every TIFF counts as premultiplied.
+template <typename Value>
+void premultiply(std::vector<Value>& values, int channels, uint32_t maximum) {
+  const size_t step = static_cast<size_t>(channels);
+  for (size_t i = 0; i + step <= values.size(); i += step) {
+    const uint32_t alpha = values[i + step - 1];
+    for (size_t c = 0; c + 1 < step; ++c) {
+      values[i + c] = static_cast<Value>((values[i + c] * alpha + maximum / 2) / maximum);
+    }
+  }
+}
+
+void premultiply(RasterFile& file) {
+  if (!file.has_alpha()) return;
+  if (file.bits == 8) premultiply(file.bytes, file.channels, 255);
+  if (file.bits == 16) premultiply(file.words, file.channels, 65535);
+}
+
+}  // namespace
+
 RasterFile read_raster(const ImageSource& source) {
   RasterFile file;
   if (source.function) {
@@ -42,10 +64,15 @@ RasterFile read_raster(const ImageSource& source) {
     case ImageFileType::png: file = read_png(source.path); break;
     case ImageFileType::ppm:
     case ImageFileType::pgm: file = read_pnm(source.path); break;
+    case ImageFileType::jpeg: file = read_jpeg(source.path); break;
+    case ImageFileType::tga:
+    case ImageFileType::bmp: file = read_tga_or_bmp(source.path); break;
+    case ImageFileType::hdr: file = read_hdr(source.path); break;
     case ImageFileType::gif: file = read_gif(source.path); break;
     case ImageFileType::pot: file = read_pot(source.path); break;
     default: file = read_with_openimageio(source.path); break;
   }
+  if (type == ImageFileType::tiff && file.straight_alpha) premultiply(file);
   file.type = type;
   return file;
 }

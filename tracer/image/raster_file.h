@@ -28,6 +28,7 @@ struct RasterFile {
   // Colour-mapped: bytes holds one index per pixel, channels is 1.
   std::vector<std::array<uint8_t, 4>> palette;
   FileGamma gamma;
+  bool straight_alpha = false;  // the file says that colours are not multiplied by alpha
   ImageFileType type = ImageFileType::png;
 
   bool is_palette() const { return !palette.empty(); }
@@ -42,6 +43,9 @@ ImageFileType image_type_of(const std::string& path);
 
 RasterFile read_png(const std::string& path);
 RasterFile read_pnm(const std::string& path);
+RasterFile read_jpeg(const std::string& path);
+RasterFile read_tga_or_bmp(const std::string& path);
+RasterFile read_hdr(const std::string& path);
 RasterFile read_gif(const std::string& path);
 // A word-valued picture in the two halves of a gif's lines (spec/geometry.md 12.14).
 RasterFile read_pot(const std::string& path);

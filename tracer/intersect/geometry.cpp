@@ -162,6 +162,7 @@ void Geometry::shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stac
   // The first hit may be clipped away.
   local.csg_child = node.csg_child || node.clips.count;
   node.shape->hits(local, stack);
+  stack.count_test(node.shape_kind, stack.size() > base);
   if (node.clips.count == 0) return;
   size_t kept = base;
   for (size_t i = base; i < stack.size(); ++i) {
@@ -401,9 +402,10 @@ bool Geometry::closest(uint32_t index, const GeometryRay& ray, double t_max, Hit
           shape_ray(ray, node.transform < 0 ? nullptr : &transforms[node.transform]);
       local.csg_child = node.csg_child;
       local.t_max = t_max;
-      if (!node.shape->closest(local, stack, hit)) return false;
-      hit.node = index;
-      return true;
+      const bool found = node.shape->closest(local, stack, hit);
+      stack.count_test(node.shape_kind, found);
+      if (found) hit.node = index;
+      return found;
     }
     case NodeKind::union_: return closest_of_union(node, ray, t_max, stack, hit);
     case NodeKind::nothing: return false;

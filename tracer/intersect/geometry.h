@@ -31,6 +31,7 @@ struct GeometryNode {
   bool is_opaque = false;       // stops light whatever happens
   bool csg_child = false;
   bool narrows = false;         // a convex solid: an intersection with it lies within its hits
+  uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
   bool has_object = true;       // false: a light without looks_like takes no part in inside tests
   // Outside `surface` the node contains all points (true) or none (false); where it is bounded.
   bool contains_outside = false;

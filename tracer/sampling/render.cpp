@@ -27,8 +27,16 @@ std::vector<PixelWindow> blocks_of(const RenderOptions& options) {
   return blocks;
 }
 
+void add(ShapeTestCounts& sum, const ShapeTestCounts& part) {
+  for (size_t i = 0; i < sum.size(); ++i) {
+    sum[i].tests += part[i].tests;
+    sum[i].hits += part[i].hits;
+  }
+}
+
 void add(RenderStatistics& sum, const RenderStatistics& part) {
   sum.samples += part.samples;
+  add(sum.shapes, part.shapes);
   sum.rays.primary += part.rays.primary;
   sum.rays.reflected += part.rays.reflected;
   sum.rays.refracted += part.rays.refracted;
@@ -71,6 +79,7 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                           options.window, framebuffer, statistics);
         break;
     }
+    add(statistics.shapes, take_shape_tests());
     picture.store(framebuffer);
     observer.block_done(framebuffer);
   };

@@ -26,6 +26,7 @@ class RenderObserver {
 struct RenderStatistics {
   RayCounts rays;
   uint64_t samples = 0;
+  ShapeTestCounts shapes{};
 };
 
 // Renders the window into the picture. `stop` is looked at before every block; blocks that were

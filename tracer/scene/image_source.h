@@ -42,10 +42,10 @@ struct ImageSource {
   bool use_alpha = false;
   bool use_color = false;
   bool use_index = false;
-  // `filter all`, `transmit all`; by palette index in order of the text (index, value).
-  std::optional<float> filter_all, transmit_all;
+  // Palette index or `all`, and value, in order of the text.
+  static constexpr int kAllIndices = -1;
+  std::vector<std::pair<int, float>> filter, transmit;
   SourcePosition position;
-  std::vector<std::pair<int, float>> filter_by_index, transmit_by_index;
 };
 
 }  // namespace durer

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tracer/scene/shapes.h"
+#include "tracer/shapes/shape_tests.h"
 
 namespace durer {
 
@@ -47,6 +48,12 @@ class HitStack {
   const ShapeHit& operator[](size_t i) const { return hits_[i]; }
 
   uint32_t owner = 0;  // the node whose shape pushes at present
+  ShapeTestCounts shape_tests{};  // of this thread
+
+  void count_test(uint8_t shape_kind, bool hit) {
+    ++shape_tests[shape_kind].tests;
+    shape_tests[shape_kind].hits += hit;
+  }
 
  private:
   std::vector<ShapeHit> hits_;

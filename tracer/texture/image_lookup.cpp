@@ -50,7 +50,7 @@ class MaterialSelector final : public TextureSelector {
     int number = 0;
     if (sampler_.locate(child_point, x, y)) {
       number = sampler_.image().is_palette()
-                   ? static_cast<int>(sampler_.index(x, y))
+                   ? sampler_.index(x, y)
                    : static_cast<int>(sampler_.color(x, y).red * 255);
     }
     const int count = static_cast<int>(materials_.size());

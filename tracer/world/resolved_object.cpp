@@ -351,6 +351,7 @@ ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
   }
   const PlacedShape placed = compiled(object);
   result.shape = placed.shape;
+  result.shape_kind = static_cast<uint8_t>(node.index());
   result.has_transform = placed.has_transform;
   result.transform = placed.transform;
   result.is_plane = std::holds_alternative<PlaneNode>(node);
@@ -436,6 +437,7 @@ ResolvedObject ObjectResolver::resolve_text(const TextNode& node) {
     if (!glyph.shape) continue;
     ResolvedObject member;
     member.shape = glyph.shape;
+    member.shape_kind = static_cast<uint8_t>(ShapeNode(std::in_place_type<TextNode>).index());
     member.is_csg_child = true;
     member.move(Transform::translation(glyph.offset));
     result.children.push_back(std::move(member));

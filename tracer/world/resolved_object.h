@@ -32,6 +32,7 @@ struct ResolvedObject {
 
   // shape
   std::shared_ptr<const Shape> shape;  // null: degenerate, never hit
+  uint8_t shape_kind = 0;              // ShapeNode::index()
   bool is_plane = false, is_quadric = false, is_height_field = false;
   bool has_transform = false;
   Transform transform;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "tracer/scene/not_supported.h"
 #include "tracer/world/world_builder.h"
@@ -119,6 +120,7 @@ struct ClosestSearch {
       local.t_max = limit;
       met = item.shape->closest(local, stack, candidate);
     }
+    stack.count_test(item.shape_kind, met);
     if (met) candidate.node = set.objects[item.object].node;
     return met;
   }
@@ -183,6 +185,7 @@ struct OcclusionSearch {
           item.transform < 0
               ? item.shape->closest(straight, stack, hit)
               : closest_moved(*item.shape, data.geometry.transforms[item.transform], hit);
+      stack.count_test(item.shape_kind, met);
       if (!met) return false;
     } else if (object.instance >= 0) {
       const Instance& copy = data.instances[object.instance];
@@ -236,6 +239,8 @@ struct World::Impl {
   int containing(const ObjectSet& set, const Vec3& point, int64_t moved_from, int64_t moved_to,
                  int* interiors, int capacity) const;
 };
+
+ShapeTestCounts take_shape_tests() { return std::exchange(scratch().shape_tests, {}); }
 
 World::World() : impl_(std::make_unique<Impl>()) {}
 World::~World() = default;

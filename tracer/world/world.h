@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tracer/scene/scene.h"
+#include "tracer/shapes/shape_tests.h"
 
 namespace durer {
 
@@ -131,6 +132,9 @@ class World {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+// What the calling thread tested since it asked last.
+ShapeTestCounts take_shape_tests();
 
 // One object handle compiled for the language's questions (geometry.md 10); cached by the caller.
 class ObjectQuery {

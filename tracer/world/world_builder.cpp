@@ -305,6 +305,7 @@ void WorldBuilder::fill_shape(uint32_t index, const ResolvedObject& object, bool
   }
   node.kind = NodeKind::shape;
   node.shape = object.shape.get();
+  node.shape_kind = object.shape_kind;
   node.inverted = object.inverted;
   node.csg_child = csg_child;
   if (object.has_transform) {
@@ -497,6 +498,7 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
           !top.is_cut_off) {
         item.shape = node.shape;
         item.transform = node.transform;
+        item.shape_kind = node.shape_kind;
       }
     }
     if (set.is_infinite(i)) {

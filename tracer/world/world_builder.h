@@ -28,6 +28,7 @@ struct SearchItem {
   int32_t transform = -1;        // of that shape, in Geometry::transforms
   uint32_t object = 0;           // position in ObjectSet::objects
   uint8_t hidden = 0;            // RayKind bits
+  uint8_t shape_kind = 0;        // of that shape, for statistics: ShapeNode::index()
 };
 
 // Some of the objects of a set, made ready for rays.

@@ -1,0 +1,99 @@
+"""Interrupted renders: whatever stops them, +C gives the file that one run gives."""
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+import numpy
+
+import picture_files
+from render_case import DURER, SLOW_SCENE, RenderCase
+
+OPTIONS = ("scene.pov", "+W120", "+H90", "+A0.1", "+BS8", "-GA")
+WINDOWS = (("+EC50", "+ER40"), ("+SC51", "+ER40"), ("+EC50", "+SR41"), ("+SC51", "+SR41"))
+
+
+class Continue(RenderCase):
+    def setUp(self):
+        super().setUp()
+        self.write("scene.pov", SLOW_SCENE)
+
+    def interrupted(self, name, threads, number, *more):
+        """Starts a render and sends the signal once some blocks are kept. Returns the status."""
+        state = self.folder / f"{name}.pov-state"
+        run = subprocess.Popen([DURER, *OPTIONS, *more, f"+WT{threads}", f"+O{name}.png"],
+                               cwd=self.folder, stderr=subprocess.DEVNULL)
+        deadline = time.monotonic() + 60
+        while run.poll() is None and time.monotonic() < deadline:
+            if state.exists() and state.stat().st_size > 12000:
+                break
+            time.sleep(0.002)
+        run.send_signal(number)
+        status = run.wait(timeout=60)
+        self.assertTrue(state.exists(), "the render was finished before it was stopped")
+        self.assertGreater(state.stat().st_size, 12000)
+        return status
+
+    def test_kill_and_continue(self):
+        self.durer(*OPTIONS, "+WT2", "+Owhole.png")
+        for threads in (1, 2, 7):
+            for number, status in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, 2)):
+                with self.subTest(threads=threads, signal=number):
+                    name = f"part{threads}"
+                    self.assertEqual(self.interrupted(name, threads, number), status)
+                    self.assertFalse((self.folder / f"{name}.png").exists())
+                    self.durer(*OPTIONS, "+C", f"+WT{threads}", f"+O{name}.png")
+                    self.assertEqual(self.bytes_of(f"{name}.png"), self.bytes_of("whole.png"))
+                    self.assertFalse((self.folder / f"{name}.pov-state").exists())
+                    os.remove(self.folder / f"{name}.png")
+
+    def test_preview_of_a_killed_run_is_continued(self):
+        self.durer(*OPTIONS, "+WT1", "+Owhole.png")
+        self.interrupted("part", 1, signal.SIGKILL, "--preview", "0.01")
+        self.durer(*OPTIONS, "+C", "+Opart.png")
+        self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
+
+    def test_finished_picture_is_left_alone(self):
+        (self.folder / "old.png").write_bytes(b"not empty")
+        self.durer(*OPTIONS, "+C", "+Oold.png")
+        self.assertEqual(self.bytes_of("old.png"), b"not empty")
+
+    def test_torn_state_file(self):
+        """A block whose end is missing is rendered again."""
+        self.durer(*OPTIONS, "+WT1", "+Owhole.png")
+        self.interrupted("part", 1, signal.SIGKILL)
+        os.truncate(self.folder / "part.pov-state",
+                    (self.folder / "part.pov-state").stat().st_size - 100)
+        self.durer(*OPTIONS, "+C", "+Opart.png")
+        self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
+
+    def test_state_of_another_picture_is_not_used(self):
+        self.interrupted("part", 1, signal.SIGKILL)
+        others = OPTIONS[:3] + ("+A0.4",) + OPTIONS[4:]
+        self.durer(*others, "+Owhole.png")
+        self.durer(*others, "+C", "+Opart.png")
+        self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
+
+    def test_windows_make_up_the_picture(self):
+        self.durer(*OPTIONS, "+Owhole.png")
+        whole, _ = picture_files.read(self.folder / "whole.png")
+        total = numpy.zeros_like(whole)
+        for number, window in enumerate(WINDOWS):
+            self.durer(*OPTIONS, *window, f"+Owindow{number}.png", f"+WT{1 + number}")
+            part, _ = picture_files.read(self.folder / f"window{number}.png")
+            self.assertEqual(part.shape, whole.shape)
+            self.assertEqual(numpy.count_nonzero((part > 0) & (total > 0)), 0)
+            total += part
+        self.assertEqual(abs(total - whole).max(), 0)
+
+    def test_picture_kept_on_the_disk(self):
+        """+MI0: nothing is held in memory."""
+        self.durer(*OPTIONS, "+Owhole.png")
+        self.durer(*OPTIONS, "+MI0", "+Odisk.png")
+        self.assertEqual(self.bytes_of("disk.png"), self.bytes_of("whole.png"))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["disk.png", "scene.pov", "whole.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,60 @@
+"""+WT holds in every phase: reading, building with Embree, rendering, images in and out."""
+import subprocess
+import time
+import unittest
+
+from render_case import DURER, RenderCase
+
+# A mesh large enough for Embree, an image for OpenImageIO, and some work.
+SCENE = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -3> look_at 0 }
+light_source { <5, 8, -6>, 1 area_light 2*x, 2*z, 7, 7 }
+#declare N = 150;
+mesh2 {
+  vertex_vectors { N*N
+    #for (I, 0, N - 1) #for (J, 0, N - 1) , <I/N - 0.5, 0.1*sin(I*0.3)*cos(J*0.2), J/N - 0.5>*3 #end #end }
+  face_indices { 2*(N - 1)*(N - 1)
+    #for (I, 0, N - 2) #for (J, 0, N - 2)
+      , <I*N + J, I*N + J + 1, (I + 1)*N + J>, <I*N + J + 1, (I + 1)*N + J, (I + 1)*N + J + 1>
+    #end #end }
+  pigment { image_map { exr "in.exr" } rotate 90*x scale 3 }
+}
+"""
+
+
+class Threads(RenderCase):
+    def test_no_phase_starts_more(self):
+        self.write("flat.pov", "#version 3.7; global_settings { assumed_gamma 1 }"
+                   "plane { z, 1 pigment { bozo } finish { ambient 1 } }")
+        self.durer("flat.pov", "+W64", "+H64", "+FE", "+Oin.exr", "-GA")
+        self.write("scene.pov", SCENE)
+        for threads in (1, 2, 3):
+            with self.subTest(threads=threads):
+                most, samples = self.most_threads(threads)
+                self.assertGreater(samples, 20)
+                self.assertLessEqual(most, threads)
+                if threads > 1:
+                    self.assertEqual(most, threads)
+
+    def most_threads(self, threads):
+        run = subprocess.Popen(
+            [DURER, "scene.pov", "+W240", "+H180", "+FE", "+Oout.exr", f"+WT{threads}", "-GA"],
+            cwd=self.folder, stderr=subprocess.DEVNULL)
+        most = samples = 0
+        while run.poll() is None:
+            try:
+                with open(f"/proc/{run.pid}/status") as status:
+                    for line in status:
+                        if line.startswith("Threads:"):
+                            most = max(most, int(line.split()[1]))
+                            samples += 1
+            except (FileNotFoundError, ProcessLookupError):
+                pass
+            time.sleep(0.001)
+        self.assertEqual(run.returncode, 0)
+        return most, samples
+
+
+if __name__ == "__main__":
+    unittest.main()

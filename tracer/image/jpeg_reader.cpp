@@ -1,0 +1,71 @@
+#include <cstdio>
+// jpeglib.h needs FILE.
+#include <jpeglib.h>
+
+#include <csetjmp>
+#include <memory>
+#include <stdexcept>
+
+#include "tracer/image/raster_file.h"
+
+namespace durer {
+namespace {
+
+struct ErrorHandler {
+  jpeg_error_mgr base;  // first: libjpeg hands back a pointer to it
+  std::jmp_buf jump;
+  char message[JMSG_LENGTH_MAX];
+};
+
+[[noreturn]] void leave(j_common_ptr jpeg) {
+  auto* handler = reinterpret_cast<ErrorHandler*>(jpeg->err);
+  handler->base.format_message(jpeg, handler->message);
+  std::longjmp(handler->jump, 1);
+}
+
+void ignore_message(j_common_ptr) {}
+
+// What a longjmp passes over is kept outside.
+bool decode(std::FILE* stream, RasterFile& file, ErrorHandler& handler) {
+  jpeg_decompress_struct jpeg;
+  jpeg.err = jpeg_std_error(&handler.base);
+  handler.base.error_exit = leave;
+  handler.base.output_message = ignore_message;
+  if (setjmp(handler.jump)) {
+    jpeg_destroy_decompress(&jpeg);
+    return false;
+  }
+  jpeg_create_decompress(&jpeg);
+  jpeg_stdio_src(&jpeg, stream);
+  jpeg_read_header(&jpeg, TRUE);
+  if (jpeg.out_color_space != JCS_GRAYSCALE) jpeg.out_color_space = JCS_RGB;
+  jpeg_start_decompress(&jpeg);
+  file.width = static_cast<int>(jpeg.output_width);
+  file.height = static_cast<int>(jpeg.output_height);
+  file.channels = jpeg.output_components;
+  const size_t stride = static_cast<size_t>(file.width) * static_cast<size_t>(file.channels);
+  file.bytes.resize(stride * static_cast<size_t>(file.height));
+  while (jpeg.output_scanline < jpeg.output_height) {
+    JSAMPROW row = file.bytes.data() + stride * jpeg.output_scanline;
+    jpeg_read_scanlines(&jpeg, &row, 1);
+  }
+  jpeg_finish_decompress(&jpeg);
+  jpeg_destroy_decompress(&jpeg);
+  return true;
+}
+
+}  // namespace
+
+RasterFile read_jpeg(const std::string& path) {
+  const std::unique_ptr<std::FILE, decltype(&std::fclose)> stream(std::fopen(path.c_str(), "rb"),
+                                                                  &std::fclose);
+  if (!stream) throw std::runtime_error("the image '" + path + "' cannot be opened");
+  RasterFile file;
+  ErrorHandler handler;
+  if (!decode(stream.get(), file, handler)) {
+    throw std::runtime_error("the image '" + path + "' is no readable JPEG: " + handler.message);
+  }
+  return file;
+}
+
+}  // namespace durer

@@ -1,0 +1,17 @@
+// Statistics: how often rays were tested against each kind of shape, and how often they met it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "tracer/scene/shapes.h"
+
+namespace durer {
+
+struct ShapeTests {
+  uint64_t tests = 0, hits = 0;
+};
+// By ShapeNode::index(). A mesh counts as one shape.
+using ShapeTestCounts = std::array<ShapeTests, std::variant_size_v<ShapeNode>>;
+
+}  // namespace durer
