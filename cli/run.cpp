@@ -16,6 +16,7 @@
 #include "cli/options.h"
 #include "cli/output_name.h"
 #include "cli/shell.h"
+#include "tracer/sampling/thread_limit.h"
 #include "tracer/scene/not_supported.h"
 
 namespace durer {
@@ -244,6 +245,7 @@ int run(const std::vector<std::string>& arguments) {
     return kFailure;
   }
   limit_memory(options.max_memory);
+  limit_threads(options.render.threads);
   return Run(options).render_all(reader.notes());
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "tracer/image/image.h"
 
@@ -144,6 +145,8 @@ ColorRGBFT ImageSampler::fetch(int x, int y) const {
 
 template <typename Value, typename Fetch>
 Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
+  // Indices are cut to integers: their weights must sum to 1 as nearly as may be.
+  using Weight = std::conditional_t<std::is_same_v<Value, double>, double, float>;
   const int width = image_->width(), height = image_->height();
   const auto at = [&](int i, int j) {
     if (once_)
@@ -169,7 +172,7 @@ Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
     weights(g, wy);
     for (int n = 0; n < 4; ++n)
       for (int m = 0; m < 4; ++m)
-        sum = sum + at(i - 2 + m, j - 2 + n) * static_cast<float>(wx[m] * wy[n]);
+        sum = sum + at(i - 2 + m, j - 2 + n) * static_cast<Weight>(wx[m] * wy[n]);
     return sum;
   }
   double w[4];
@@ -187,7 +190,7 @@ Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
     for (double& weight : w) weight /= total;
   }
   for (int n = 0; n < 4; ++n)
-    sum = sum + at(n % 2 ? i - 1 : i, n / 2 ? j - 1 : j) * static_cast<float>(w[n]);
+    sum = sum + at(n % 2 ? i - 1 : i, n / 2 ? j - 1 : j) * static_cast<Weight>(w[n]);
   return sum;
 }
 
@@ -196,8 +199,8 @@ ColorRGBFT ImageSampler::color(double x, double y) const {
 }
 
 int ImageSampler::index(double x, double y) const {
-  return static_cast<int>(interpolate<float>(
-      x, y, [this](int i, int j) { return static_cast<float>(image_->index(i, j)); }));
+  return static_cast<int>(interpolate<double>(
+      x, y, [this](int i, int j) { return static_cast<double>(image_->index(i, j)); }));
 }
 
 }  // namespace durer

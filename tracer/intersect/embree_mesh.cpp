@@ -1,6 +1,7 @@
 #include "tracer/intersect/embree_mesh.h"
 
 #include <embree3/rtcore.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,10 @@
 namespace durer {
 namespace {
 
-// Single-threaded: the command's thread count holds for every phase.
+// Without a number of threads: Embree would limit oneTBB for the whole program to it, rendering
+// included, as long as the device lives.
 struct Device {
-  RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
+  RTCDevice device = rtcNewDevice("set_affinity=0");
   ~Device() { rtcReleaseDevice(device); }
 };
 
@@ -84,6 +86,8 @@ EmbreeMesh::EmbreeMesh(const std::vector<glm::vec3>& vertices,
   rtcSetSceneFlags(scene_->scene, static_cast<RTCSceneFlags>(
                                       RTC_SCENE_FLAG_ROBUST |
                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  // By one thread: the order within leaves must not depend on how many there are.
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
   rtcCommitScene(scene_->scene);
 }
 

@@ -90,8 +90,8 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
     for (const PixelWindow& block : blocks) render_block(block, total);
     return total;
   }
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<size_t>(options.threads));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<size_t>(options.threads));
   tbb::task_arena arena(options.threads);
   tbb::enumerable_thread_specific<RenderStatistics> statistics;
   arena.execute([&] {
