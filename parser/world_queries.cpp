@@ -26,8 +26,8 @@ class WorldQueries : public SceneQueries {
   bool has_inside(const ObjectPtr& object) override { return compiled(object).has_inside(); }
   Bounds extents(const ObjectPtr& object) override { return compiled(object).extents(); }
   bool image_size(const PigmentNode& pigment, Vec2& size) override {
-    if (pigment.pattern.kind != PatternKind::image_map || !pigment.pattern.image) return false;
-    const RasterFile raster = read_raster(*pigment.pattern.image);
+    if (pigment.pattern->kind != PatternKind::image_map || !pigment.pattern->image) return false;
+    const RasterFile raster = read_raster(*pigment.pattern->image);
     size = {raster.width, raster.height};
     return true;
   }

@@ -88,7 +88,7 @@ class CameraReader {
     camera_.max_distance = parser_.parse_optional_float(0);
     parser_.accept_comma();
     while (ObjectPtr mesh = parse_object(parser_)) {
-      if (!std::holds_alternative<MeshNode>(shape_of(*mesh))) {
+      if (!std::holds_alternative<Rare<MeshNode>>(shape_of(*mesh))) {
         parser_.error("a mesh_camera takes meshes only");
       }
       camera_.mesh_objects.push_back(std::move(mesh));

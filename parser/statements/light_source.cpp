@@ -205,7 +205,7 @@ ObjectPtr parse_light_source(Parser& parser) {
       LightNode copy = **light;
       for (const ObjectNode* node = named.get(); node; node = node->base.get()) {
         for (const Modifier& modifier : node->modifiers) {
-          if (const auto* t = std::get_if<Transform>(&modifier)) transform_light(copy, *t);
+          if (const auto* t = std::get_if<Rare<Transform>>(&modifier)) transform_light(copy, *t);
         }
       }
       LightReader reader(parser, copy);

@@ -17,14 +17,14 @@ class NormalReader {
       auto inner = std::make_shared<NormalNode>(node_);
       NormalReader(parser_, *inner).read();
       node_ = NormalNode{};
-      node_.pattern.kind = PatternKind::uv_mapping;
+      node_.pattern.edit().kind = PatternKind::uv_mapping;
       node_.inner = std::move(inner);
       return;
     }
     read_start();
-    while (accept_item() || accept_pattern_modifier(parser_, node_.pattern)) {
+    while (accept_item() || accept_pattern_modifier(parser_, node_.pattern.edit())) {
     }
-    if (node_.pattern.kind == PatternKind::average && !node_.normal_map) {
+    if (node_.pattern->kind == PatternKind::average && !node_.normal_map) {
       parser_.error("average needs a normal_map");
     }
   }
@@ -37,28 +37,28 @@ class NormalReader {
 
   void read_start() {
     if (parser_.accept(Keyword::bump_map)) {
-      node_.pattern.kind = PatternKind::bump_map;
-      node_.pattern.frequency = 0;
-      node_.pattern.position = parser_.position();
+      node_.pattern.edit().kind = PatternKind::bump_map;
+      node_.pattern.edit().frequency = 0;
+      node_.pattern.edit().position = parser_.position();
       parser_.expect_open("bump_map");
-      node_.pattern.image =
+      node_.pattern.edit().image =
           parse_image_options(parser_, PatternKind::bump_map, &node_.bump_size);
       parser_.expect_close("bump_map");
     } else if (parser_.accept(Keyword::object)) {
-      node_.pattern.kind = PatternKind::object;
-      node_.pattern.frequency = 0;
+      node_.pattern.edit().kind = PatternKind::object;
+      node_.pattern.edit().frequency = 0;
       parser_.expect_open("object");
-      node_.pattern.object = require_object(parser_);
+      node_.pattern.edit().object = require_object(parser_);
       read_list(2);
       parser_.expect_close("object");
-    } else if (accept_pattern(parser_, node_.pattern, PatternUse::normal)) {
-      if (const int count = list_length(node_.pattern.kind)) {
+    } else if (accept_pattern(parser_, node_.pattern.edit(), PatternUse::normal)) {
+      if (const int count = list_length(node_.pattern->kind)) {
         read_list(count);
         if (!node_.normal_map) read_amount();
       } else {
         read_amount();
       }
-    } else if (node_.pattern.kind != PatternKind::none) {
+    } else if (node_.pattern->kind != PatternKind::none) {
       read_amount();  // behind an identifier
     }
   }
@@ -82,7 +82,7 @@ class NormalReader {
   std::shared_ptr<const NormalNode> default_or_flat() {
     if (const auto& normal = default_texture(parser_)->normal) return normal;
     auto flat = std::make_shared<NormalNode>();
-    flat->pattern.kind = PatternKind::bumps;
+    flat->pattern.edit().kind = PatternKind::bumps;
     flat->bump_size = 0;
     return flat;
   }
@@ -96,14 +96,14 @@ class NormalReader {
     } else if (parser_.accept(Keyword::no_bump_scale)) {
       node_.no_bump_scale = parser_.parse_optional_switch();
     } else if (parser_.accept(Keyword::normal_map)) {
-      if (list_length(node_.pattern.kind) > 0 || node_.pattern.kind == PatternKind::facets ||
-          node_.pattern.kind == PatternKind::bump_map) {
+      if (list_length(node_.pattern->kind) > 0 || node_.pattern->kind == PatternKind::facets ||
+          node_.pattern->kind == PatternKind::bump_map) {
         parser_.error("this pattern takes no normal_map");
       }
       node_.normal_map = parse_normal_map(parser_);
     } else if (parser_.accept(Keyword::slope_map)) {
-      if (list_length(node_.pattern.kind) > 0 || node_.pattern.kind == PatternKind::average ||
-          node_.pattern.kind == PatternKind::bump_map) {
+      if (list_length(node_.pattern->kind) > 0 || node_.pattern->kind == PatternKind::average ||
+          node_.pattern->kind == PatternKind::bump_map) {
         parser_.error("this pattern takes no slope_map");
       }
       node_.slope_map = parse_slope_map(parser_);
@@ -132,7 +132,7 @@ std::shared_ptr<const NormalNode> read_contents(Parser& parser,
 std::shared_ptr<const NormalNode> parse_normal(Parser& parser,
                                                const std::shared_ptr<const NormalNode>& start) {
   auto node = parse_default_normal(parser, start);
-  if (node->pattern.kind == PatternKind::none) parser.error("this normal has no pattern");
+  if (node->pattern->kind == PatternKind::none) parser.error("this normal has no pattern");
   return node;
 }
 

@@ -222,7 +222,7 @@ void ObjectBuilder::check_supported(Keyword keyword) {
       keyword == Keyword::sturm
           ? is.operator()<TorusNode, OvusNode, PolyNode, LatheNode, SorNode, PrismNode, BlobNode,
                           SphereSweepNode>()
-          : is.operator()<BlobNode, HeightFieldNode, MeshNode>();
+          : is.operator()<BlobNode, HeightFieldNode, Rare<MeshNode>>();
   if (!ok) {
     parser_.error(std::string("'") + (keyword == Keyword::sturm ? "sturm" : "hierarchy") +
                   "' has no meaning for this object");
@@ -298,7 +298,7 @@ bool is_textured(const ObjectNode& object) {
 
 bool is_solid(const ObjectNode& object) {
   const ShapeNode& shape = shape_of(object);
-  if (const auto* mesh = std::get_if<MeshNode>(&shape)) return mesh->inside_vector.has_value();
+  if (const auto* mesh = std::get_if<Rare<MeshNode>>(&shape)) return mesh->inside_vector.has_value();
   if (const auto* csg = std::get_if<CsgNode>(&shape)) {
     for (const ObjectPtr& child : csg->children) {
       if (!is_solid(*child) && !std::holds_alternative<std::shared_ptr<const LightNode>>(
@@ -309,9 +309,9 @@ bool is_solid(const ObjectNode& object) {
     return true;
   }
   return !std::holds_alternative<TriangleNode>(shape) &&
-         !std::holds_alternative<SmoothTriangleNode>(shape) &&
-         !std::holds_alternative<BicubicPatchNode>(shape) &&
-         !std::holds_alternative<ParametricNode>(shape) &&
+         !std::holds_alternative<Rare<SmoothTriangleNode>>(shape) &&
+         !std::holds_alternative<Rare<BicubicPatchNode>>(shape) &&
+         !std::holds_alternative<Rare<ParametricNode>>(shape) &&
          !std::holds_alternative<std::shared_ptr<const LightNode>>(shape);
 }
 

@@ -21,17 +21,17 @@ class PigmentReader {
       return;
     }
     read_start();
-    while (accept_map() || accept_quick_color() || accept_pattern_modifier(parser_, node_.pattern)) {
+    while (accept_map() || accept_quick_color() || accept_pattern_modifier(parser_, node_.pattern.edit())) {
     }
-    if (node_.is_unspecified && node_.pattern.kind == PatternKind::none &&
+    if (node_.is_unspecified && node_.pattern->kind == PatternKind::none &&
         use_ == PatternUse::pigment && !started_from_identifier_) {
       parser_.warning("this pigment has no colour and no pattern: it is black");
     }
-    if (node_.pattern.kind == PatternKind::average && !node_.pigment_map) {
+    if (node_.pattern->kind == PatternKind::average && !node_.pigment_map) {
       parser_.error("average needs a map");
     }
     // A solid colour looks the same everywhere.
-    if (node_.pattern.kind == PatternKind::none) node_.pattern.warps.clear();
+    if (node_.pattern->kind == PatternKind::none) node_.pattern = {};
   }
 
   void set_started_from_identifier() { started_from_identifier_ = true; }
@@ -46,7 +46,7 @@ class PigmentReader {
     node_ = PigmentNode{};
     node_.is_unspecified = false;
     node_.quick_color = inner->quick_color;
-    node_.pattern.kind = PatternKind::uv_mapping;
+    node_.pattern.edit().kind = PatternKind::uv_mapping;
     node_.inner = std::move(inner);
   }
 
@@ -59,14 +59,14 @@ class PigmentReader {
       return;
     }
     if (parser_.accept(Keyword::object)) {
-      node_.pattern.kind = PatternKind::object;
-      node_.pattern.frequency = 0;
+      node_.pattern.edit().kind = PatternKind::object;
+      node_.pattern.edit().frequency = 0;
       parser_.expect_open("object");
-      node_.pattern.object = require_object(parser_);
+      node_.pattern.edit().object = require_object(parser_);
       read_list(2);
       parser_.expect_close("object");
-    } else if (accept_pattern(parser_, node_.pattern, use_)) {
-      if (const int count = list_length(node_.pattern.kind)) read_list(count);
+    } else if (accept_pattern(parser_, node_.pattern.edit(), use_)) {
+      if (const int count = list_length(node_.pattern->kind)) read_list(count);
     } else {
       return;
     }
@@ -105,7 +105,7 @@ class PigmentReader {
   bool accept_map() {
     if (parser_.accept(Keyword::color_map)) {
       check_map("color_map");
-      if (node_.pattern.kind == PatternKind::average) {
+      if (node_.pattern->kind == PatternKind::average) {
         parser_.error("average takes no colour_map");
       }
       node_.color_map = parse_color_map(parser_);
@@ -122,13 +122,13 @@ class PigmentReader {
   }
 
   void check_map(const char* what) {
-    if (list_length(node_.pattern.kind) > 0) {
+    if (list_length(node_.pattern->kind) > 0) {
       parser_.error(std::string("this pattern takes a list, not a ") + what);
     }
-    if (node_.pattern.kind == PatternKind::image_map) {
+    if (node_.pattern->kind == PatternKind::image_map) {
       parser_.error(std::string("an image_map takes no ") + what);
     }
-    if (node_.pattern.kind == PatternKind::none && !node_.is_unspecified) {
+    if (node_.pattern->kind == PatternKind::none && !node_.is_unspecified) {
       parser_.error(std::string("a solid colour takes no ") + what);
     }
   }

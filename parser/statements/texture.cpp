@@ -108,25 +108,25 @@ class TextureReader {
   void read_patterned() {
     auto node = std::make_shared<TextureNode>();
     node->kind = TextureNode::Kind::patterned;
-    node->pattern.position = parser_.position();
+    node->pattern.edit().position = parser_.position();
     if (parser_.accept(Keyword::tiles)) {
       read_tiles(*node);
     } else if (parser_.accept(Keyword::material_map)) {
       read_material_map(*node);
     } else if (parser_.accept(Keyword::uv_mapping)) {
-      node->pattern.kind = PatternKind::uv_mapping;
+      node->pattern.edit().kind = PatternKind::uv_mapping;
       auto map = std::make_shared<TextureMap>();
       map->entries.push_back({0, TextureReader(parser_).read()});
       node->texture_map = std::move(map);
     } else if (parser_.accept(Keyword::object)) {
-      node->pattern.kind = PatternKind::object;
-      node->pattern.frequency = 0;
+      node->pattern.edit().kind = PatternKind::object;
+      node->pattern.edit().frequency = 0;
       parser_.expect_open("object");
-      node->pattern.object = require_object(parser_);
+      node->pattern.edit().object = require_object(parser_);
       read_list(*node, 2);
       parser_.expect_close("object");
-    } else if (accept_pattern(parser_, node->pattern, PatternUse::texture)) {
-      if (const int count = list_length(node->pattern.kind)) read_list(*node, count);
+    } else if (accept_pattern(parser_, node->pattern.edit(), PatternUse::texture)) {
+      if (const int count = list_length(node->pattern->kind)) read_list(*node, count);
     } else {
       return;  // an empty texture{} is the default one
     }
@@ -135,7 +135,7 @@ class TextureReader {
         node->texture_map = parse_texture_map(parser_);
       } else if (parser_.accept(Keyword::no_bump_scale)) {
         no_bump_scale_ = parser_.parse_optional_switch();
-      } else if (!accept_pattern_modifier(parser_, node->pattern)) {
+      } else if (!accept_pattern_modifier(parser_, node->pattern.edit())) {
         break;
       }
     }
@@ -170,8 +170,8 @@ class TextureReader {
     if (!parser_.accept(Keyword::texture)) parser_.error_expected("texture");
     const TexturePtr second = parse_layers();
     parser_.expect_close("tiles");
-    node.pattern.kind = PatternKind::checker;
-    node.pattern.frequency = 0;
+    node.pattern.edit().kind = PatternKind::checker;
+    node.pattern.edit().frequency = 0;
     auto map = std::make_shared<TextureMap>();
     map->entries = {{0, second}, {1, first}};
     node.texture_map = std::move(map);
@@ -188,7 +188,7 @@ class TextureReader {
   void read_material_map(TextureNode& node) {
     node.kind = TextureNode::Kind::material_map;
     parser_.expect_open("material_map");
-    node.pattern.image = parse_image_options(parser_, PatternKind::none);
+    node.pattern.edit().image = parse_image_options(parser_, PatternKind::none);
     while (parser_.accept(Keyword::texture)) node.materials.push_back(parse_texture(parser_));
     if (node.materials.empty()) parser_.error("a material_map needs at least one texture");
     parser_.expect_close("material_map");

@@ -18,8 +18,8 @@ TEST(Camera, NormalBendsTheRayAsInTheSpecification) {
   CameraNode node;
   node.right = {1, 0, 0};
   auto normal = std::make_shared<NormalNode>();
-  normal->pattern.kind = PatternKind::gradient;
-  normal->pattern.gradient = {1, 0, 0};
+  normal->pattern.edit().kind = PatternKind::gradient;
+  normal->pattern.edit().gradient = {1, 0, 0};
   normal->bump_size = 0.3f;
   node.normal = normal;
   Ray ray;

@@ -7,12 +7,12 @@ namespace {
 
 TEST(SceneNodes, TransformsMergeAndMoveTheTexture) {
   PigmentNode pigment;
-  pigment.pattern.kind = PatternKind::bozo;
+  pigment.pattern.edit().kind = PatternKind::bozo;
   auto node = std::make_shared<const PigmentNode>(pigment);
   node = transformed(node, Transform::translation({1, 0, 0}));
   node = transformed(node, Transform::scaling({2, 2, 2}));
-  ASSERT_EQ(node->pattern.warps.size(), 1u);
-  const auto& merged = std::get<Transform>(node->pattern.warps[0]);
+  ASSERT_EQ(node->pattern->warps.size(), 1u);
+  const auto& merged = std::get<Transform>(node->pattern->warps[0]);
   EXPECT_EQ(merged.point({0, 0, 0}), Vec3(2, 0, 0));
 }
 

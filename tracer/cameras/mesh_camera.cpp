@@ -12,7 +12,7 @@ constexpr double kEpsilon = 1e-10;
 Transform placement_of(const ObjectNode& object) {
   Transform placement = object.base ? placement_of(*object.base) : Transform{};
   for (const Modifier& modifier : object.modifiers) {
-    if (const auto* transform = std::get_if<Transform>(&modifier)) {
+    if (const auto* transform = std::get_if<Rare<Transform>>(&modifier)) {
       placement = placement.then(*transform);
     }
   }
@@ -63,7 +63,7 @@ MeshCamera::MeshCamera(const CameraNode& node, int width, int height)
       reversed_(node.direction.z < -kEpsilon) {
   for (const ObjectPtr& object : node.mesh_objects) {
     std::shared_ptr<const ShapeNode> shape = shared_shape_of(*object);
-    const MeshNode* mesh = &std::get<MeshNode>(*shape);
+    const MeshNode* mesh = &std::get<Rare<MeshNode>>(*shape);
     face_count_ += static_cast<int64_t>(mesh->face_vertices.size());
     meshes_.push_back({std::move(shape), mesh, placement_of(*object)});
   }

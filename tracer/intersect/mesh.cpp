@@ -18,7 +18,7 @@ constexpr float kSameNormal = 1e-10f;
 class Mesh final : public Shape {
  public:
   explicit Mesh(std::shared_ptr<const ShapeNode> node)
-      : node_(std::move(node)), mesh_(std::get<MeshNode>(*node_)) {
+      : node_(std::move(node)), mesh_(std::get<Rare<MeshNode>>(*node_)) {
     const size_t count = mesh_.face_vertices.size();
     std::vector<Bounds> boxes;
     const bool own = count < kEmbreeThreshold;

@@ -19,7 +19,7 @@ namespace {
 
 void apply_modifiers(const ObjectNode& node, ResolvedTextures& state) {
   for (const Modifier& modifier : node.modifiers) {
-    if (const auto* transform = std::get_if<Transform>(&modifier)) {
+    if (const auto* transform = std::get_if<Rare<Transform>>(&modifier)) {
       // A uv-mapped texture stays with the surface.
       if (state.uv_mapping) continue;
       state.texture = transformed(state.texture, *transform);

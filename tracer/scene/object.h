@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "tracer/scene/rare.h"
 #include "tracer/scene/shapes.h"
 
 namespace durer {
@@ -37,7 +38,7 @@ struct SetPhotons { PhotonSettings photons; };
 struct SetRadiosityImportance { double importance; };
 
 // In the order of the text. A transform acts on what is there at that point.
-using Modifier = std::variant<Transform, SetTexture, SetDefaultTexture, SetInteriorTexture,
+using Modifier = std::variant<Rare<Transform>, SetTexture, SetDefaultTexture, SetInteriorTexture,
                               SetInterior, SetFlag,
                               AddBounds, AddClips, ShareBoundsAsClips, ShareClipsAsBounds,
                               SetPhotons, SetRadiosityImportance>;

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "tracer/scene/rare.h"
 #include "tracer/scene/texture.h"
 
 namespace durer {
@@ -204,9 +205,9 @@ struct LightNode;
 
 using ShapeNode =
     std::variant<SphereNode, BoxNode, PlaneNode, CylinderNode, ConeNode, DiscNode, TorusNode,
-                 SuperellipsoidNode, OvusNode, TriangleNode, SmoothTriangleNode, PolygonNode,
+                 SuperellipsoidNode, OvusNode, TriangleNode, Rare<SmoothTriangleNode>, PolygonNode,
                  QuadricNode, PolyNode, LatheNode, SorNode, PrismNode, SphereSweepNode, BlobNode,
-                 TextNode, HeightFieldNode, BicubicPatchNode, MeshNode, IsosurfaceNode,
-                 ParametricNode, JuliaFractalNode, CsgNode, std::shared_ptr<const LightNode>>;
+                 TextNode, HeightFieldNode, Rare<BicubicPatchNode>, Rare<MeshNode>, Rare<IsosurfaceNode>,
+                 Rare<ParametricNode>, Rare<JuliaFractalNode>, CsgNode, std::shared_ptr<const LightNode>>;
 
 }  // namespace durer

@@ -8,6 +8,7 @@
 
 #include "tracer/scene/color.h"
 #include "tracer/scene/pattern.h"
+#include "tracer/scene/rare.h"
 
 namespace durer {
 
@@ -44,7 +45,7 @@ using TextureMap = BlendMap<std::shared_ptr<const TextureNode>>;
 struct PigmentNode {
   // kind none: solid `color` (or unspecified, see is_unspecified). kind uv_mapping: `inner` holds
   // what follows in the braces, looked up at (u,v,0). kind image_map: pattern.image.
-  PatternNode pattern;
+  Rare<PatternNode> pattern;
   bool is_unspecified = true;  // neither colour nor pattern was given: black
   ColorRGBFT color;
   std::shared_ptr<const ColorMap> color_map;      // null with pigment_map; null: default map
@@ -56,7 +57,7 @@ struct PigmentNode {
 
 // normal{}: pattern with a bump size (spec/textures.md 14).
 struct NormalNode {
-  PatternNode pattern;
+  Rare<PatternNode> pattern;
   float bump_size = 0.5f;
   float accuracy = 0.02f;
   bool no_bump_scale = false;
@@ -109,7 +110,7 @@ struct TextureNode {
   std::shared_ptr<const NormalNode> normal;  // null: none
   std::shared_ptr<const FinishNode> finish;
   // patterned (also tiles = checker, average, uv_mapping with one entry at position 0)
-  PatternNode pattern;
+  Rare<PatternNode> pattern;
   std::shared_ptr<const TextureMap> texture_map;
   // material_map: pattern.image selects among these
   std::vector<std::shared_ptr<const TextureNode>> materials;

@@ -70,7 +70,7 @@ ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
     opaque.push_back(textures.back()->is_opaque);
     for (const TextureLayer& layer : textures.back()->layers) {
       if (layer.finish.has_subsurface && scene.settings.subsurface && options.quality >= 9) {
-        throw NotSupported("subsurface light transport", node->pattern.position);
+        throw NotSupported("subsurface light transport", node->pattern->position);
       }
     }
   }

@@ -12,8 +12,8 @@ class ImagePigment final : public CompiledPigment {
  public:
   ImagePigment(const PigmentNode& node, const TextureSettings& settings)
       : warps_(chain_with_slot(node.pattern)),
-        sampler_(settings.patterns.images->get(*node.pattern.image, ImageUse::color),
-                 *node.pattern.image) {}
+        sampler_(settings.patterns.images->get(*node.pattern->image, ImageUse::color),
+                 *node.pattern->image) {}
 
   bool evaluate(const Vec3& point, const TextureContext&, ColorRGBFT& color) const override {
     double x, y;
@@ -39,8 +39,8 @@ class MaterialSelector final : public TextureSelector {
                    std::vector<std::shared_ptr<const CompiledTexture>> materials,
                    const TextureSettings& settings)
       : warps_(chain_with_slot(node.pattern)),
-        sampler_(settings.patterns.images->get(*node.pattern.image, ImageUse::raw),
-                 *node.pattern.image),
+        sampler_(settings.patterns.images->get(*node.pattern->image, ImageUse::raw),
+                 *node.pattern->image),
         materials_(std::move(materials)) {}
 
   int select(const Vec3& point, const TextureContext&, Vec3& child_point,

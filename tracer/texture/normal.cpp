@@ -60,8 +60,8 @@ class WaterBump : public Bump {
   WaterBump(const NormalNode& node, int sources, bool waves)
       : sources_(wave_sources(sources)),
         amount_(node.bump_size),
-        frequency_(node.pattern.frequency),
-        phase_(node.pattern.phase),
+        frequency_(node.pattern->frequency),
+        phase_(node.pattern->phase),
         waves_(waves) {}
   Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
     Vec3 result = n;
@@ -87,8 +87,8 @@ class QuiltedBump : public Bump {
  public:
   explicit QuiltedBump(const NormalNode& node)
       : amount_(node.bump_size),
-        control0_(node.pattern.quilt_control0),
-        control1_(node.pattern.quilt_control1) {}
+        control0_(node.pattern->quilt_control0),
+        control1_(node.pattern->quilt_control1) {}
   Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
     const Vec3 w = q - glm::floor(q) - Vec3(0.5);
     const double t = length(w), u = 1 - t;
@@ -157,8 +157,8 @@ class FacetsBump : public Bump {
 std::unique_ptr<const Bump> make_bump(const NormalNode& node, const Pattern& pattern,
                                       const PatternSettings& settings) {
   const int generator =
-      node.pattern.noise_generator ? node.pattern.noise_generator : settings.noise_generator;
-  switch (node.pattern.kind) {
+      node.pattern->noise_generator ? node.pattern->noise_generator : settings.noise_generator;
+  switch (node.pattern->kind) {
     case PatternKind::bumps:
       return std::make_unique<VectorNoiseBump>(node.bump_size);
     case PatternKind::dents:
@@ -166,13 +166,13 @@ std::unique_ptr<const Bump> make_bump(const NormalNode& node, const Pattern& pat
     case PatternKind::ripples:
     case PatternKind::waves:
       return std::make_unique<WaterBump>(node, settings.number_of_waves,
-                                         node.pattern.kind == PatternKind::waves);
+                                         node.pattern->kind == PatternKind::waves);
     case PatternKind::wrinkles:
       return std::make_unique<WrinklesBump>(node.bump_size);
     case PatternKind::quilted:
       return std::make_unique<QuiltedBump>(node);
     case PatternKind::facets:
-      return std::make_unique<FacetsBump>(node.pattern.facets);
+      return std::make_unique<FacetsBump>(node.pattern->facets);
     default:
       return std::make_unique<HeightBump>(node, pattern);
   }
@@ -182,7 +182,7 @@ class PatternNormal : public CompiledNormal {
  public:
   PatternNormal(const NormalNode& node, const TextureSettings& settings)
       : pattern_(node.pattern, settings.patterns),
-        frame_(node.pattern.warps, settings.no_bump_scale),
+        frame_(node.pattern->warps, settings.no_bump_scale),
         bump_(make_bump(node, pattern_, settings.patterns)) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext& context,
@@ -212,7 +212,7 @@ class MappedNormal : public CompiledNormal {
  public:
   MappedNormal(const NormalNode& node, const TextureSettings& settings)
       : pattern_(node.pattern, settings.patterns),
-        frame_(node.pattern.warps, settings.no_bump_scale),
+        frame_(node.pattern->warps, settings.no_bump_scale),
         entries_(compile_entries(*node.normal_map, settings)) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext& context,
@@ -238,7 +238,7 @@ class AverageNormal : public CompiledNormal {
  public:
   AverageNormal(const NormalNode& node, const TextureSettings& settings)
       : warps_(chain_with_slot(node.pattern)),
-        frame_(node.pattern.warps, settings.no_bump_scale),
+        frame_(node.pattern->warps, settings.no_bump_scale),
         entries_(compile_entries(*node.normal_map, settings)) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext& context,
@@ -266,11 +266,11 @@ class BumpMapNormal : public CompiledNormal {
  public:
   BumpMapNormal(const NormalNode& node, const TextureSettings& settings)
       : warps_(chain_with_slot(node.pattern)),
-        frame_(node.pattern.warps, settings.no_bump_scale),
-        sampler_(settings.patterns.images->get(*node.pattern.image, ImageUse::raw),
-                 *node.pattern.image),
+        frame_(node.pattern->warps, settings.no_bump_scale),
+        sampler_(settings.patterns.images->get(*node.pattern->image, ImageUse::raw),
+                 *node.pattern->image),
         amount_(static_cast<double>(node.bump_size)),
-        use_index_(node.pattern.image->use_index && sampler_.image().is_palette()) {}
+        use_index_(node.pattern->image->use_index && sampler_.image().is_palette()) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext&, const Vec3& normal) const override {
     double x, y;
@@ -325,7 +325,7 @@ std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
                                                      const TextureSettings& outer) {
   TextureSettings settings = outer;
   settings.no_bump_scale = outer.no_bump_scale || node.no_bump_scale;
-  switch (node.pattern.kind) {
+  switch (node.pattern->kind) {
     case PatternKind::uv_mapping:
       return std::make_shared<UvNormal>(compile_normal(*node.inner, settings));
     case PatternKind::average:

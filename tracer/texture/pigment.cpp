@@ -145,7 +145,7 @@ std::shared_ptr<const CompiledPigment> compile_pigment(const PigmentNode& node,
       return std::make_shared<SolidPigment>(quick);
     }
   }
-  switch (node.pattern.kind) {
+  switch (node.pattern->kind) {
     case PatternKind::none:
       return std::make_shared<SolidPigment>(node.color);
     case PatternKind::uv_mapping:

@@ -83,7 +83,7 @@ class UvSelector : public TextureSelector {
 TextureLayer compile_layer(const TextureNode& node, const TextureSettings& settings) {
   TextureLayer layer;
   layer.pigment = compile_pigment(node.pigment ? *node.pigment : PigmentNode{}, settings);
-  if (node.normal && node.normal->pattern.kind != PatternKind::none && settings.quality >= 8) {
+  if (node.normal && node.normal->pattern->kind != PatternKind::none && settings.quality >= 8) {
     layer.normal = compile_normal(*node.normal, settings);
   }
   if (node.finish) layer.finish = *node.finish;
@@ -104,7 +104,7 @@ std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& node,
                                                        const TextureSettings& settings) {
   auto texture = std::make_shared<CompiledTexture>();
   if (node.kind != TextureNode::Kind::plain) {
-    texture->frame = NormalFrame(node.pattern.warps, false);
+    texture->frame = NormalFrame(node.pattern->warps, false);
   }
   switch (node.kind) {
     case TextureNode::Kind::plain:
@@ -121,9 +121,9 @@ std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& node,
       texture->is_opaque = std::all_of(entries.begin(), entries.end(), [](const TextureEntry& e) {
         return e.item->is_opaque;
       });
-      if (node.pattern.kind == PatternKind::average) {
+      if (node.pattern->kind == PatternKind::average) {
         texture->selector = std::make_unique<AverageSelector>(node, std::move(entries));
-      } else if (node.pattern.kind == PatternKind::uv_mapping) {
+      } else if (node.pattern->kind == PatternKind::uv_mapping) {
         texture->selector = std::make_unique<UvSelector>(entries.front().item);
       } else {
         texture->selector = std::make_unique<MapSelector>(node, std::move(entries), settings);

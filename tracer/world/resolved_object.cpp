@@ -303,7 +303,7 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
   }
   if (was_difference && !object->base) result.written_as_difference = true;
   // `inverse` within a julia_fractal's own statement has no effect.
-  if (object->shape && result.shape && std::holds_alternative<JuliaFractalNode>(*object->shape)) {
+  if (object->shape && result.shape && std::holds_alternative<Rare<JuliaFractalNode>>(*object->shape)) {
     result.shape = result.shape->transformed(Transform());
   }
   if (changes_boxes) {
@@ -391,16 +391,16 @@ PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
   const auto known = shapes_.find(object.shape.get());
   if (known != shapes_.end()) return known->second;
   PlacedShape placed;
-  if (std::holds_alternative<MeshNode>(*object.shape)) {
+  if (std::holds_alternative<Rare<MeshNode>>(*object.shape)) {
     placed.shape = compile_mesh(object.shape);
   } else {
     placed = compile_shape(*object.shape, context);
   }
   // Only what is dear to compile is kept: most shapes are used once.
-  if (std::holds_alternative<MeshNode>(*object.shape) ||
+  if (std::holds_alternative<Rare<MeshNode>>(*object.shape) ||
       std::holds_alternative<HeightFieldNode>(*object.shape) ||
       std::holds_alternative<BlobNode>(*object.shape) ||
-      std::holds_alternative<IsosurfaceNode>(*object.shape)) {
+      std::holds_alternative<Rare<IsosurfaceNode>>(*object.shape)) {
     shapes_.emplace(object.shape.get(), placed);
   }
   return placed;
@@ -448,11 +448,11 @@ ResolvedObject ObjectResolver::resolve_text(const TextNode& node) {
 }
 
 void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier) {
-  if (!std::holds_alternative<Transform>(modifier) &&
+  if (!std::holds_alternative<Rare<Transform>>(modifier) &&
       !std::holds_alternative<SetDefaultTexture>(modifier)) {
     object.expand();
   }
-  if (const auto* transform = std::get_if<Transform>(&modifier)) {
+  if (const auto* transform = std::get_if<Rare<Transform>>(&modifier)) {
     object.move(*transform);
   } else if (const auto* texture = std::get_if<SetTexture>(&modifier)) {
     object.texture = {texture->texture, false, {}};

@@ -6,8 +6,8 @@ namespace {
 bool looks_the_same_everywhere(const TextureNode& texture) {
   for (const TextureNode* layer = &texture; layer; layer = layer->below.get()) {
     if (layer->kind != TextureNode::Kind::plain) return false;
-    if (layer->pigment && layer->pigment->pattern.kind != PatternKind::none) return false;
-    if (layer->normal && layer->normal->pattern.kind != PatternKind::none) return false;
+    if (layer->pigment && layer->pigment->pattern->kind != PatternKind::none) return false;
+    if (layer->normal && layer->normal->pattern->kind != PatternKind::none) return false;
   }
   return true;
 }
