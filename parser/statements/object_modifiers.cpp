@@ -298,7 +298,7 @@ bool is_textured(const ObjectNode& object) {
 
 bool is_solid(const ObjectNode& object) {
   const ShapeNode& shape = shape_of(object);
-  if (const auto* mesh = std::get_if<Rare<MeshNode>>(&shape)) return mesh->inside_vector.has_value();
+  if (const auto* mesh = std::get_if<Rare<MeshNode>>(&shape)) return mesh->get().inside_vector.has_value();
   if (const auto* csg = std::get_if<CsgNode>(&shape)) {
     for (const ObjectPtr& child : csg->children) {
       if (!is_solid(*child) && !std::holds_alternative<std::shared_ptr<const LightNode>>(

@@ -63,7 +63,7 @@ MeshCamera::MeshCamera(const CameraNode& node, int width, int height)
       reversed_(node.direction.z < -kEpsilon) {
   for (const ObjectPtr& object : node.mesh_objects) {
     std::shared_ptr<const ShapeNode> shape = shared_shape_of(*object);
-    const MeshNode* mesh = &std::get<Rare<MeshNode>>(*shape);
+    const MeshNode* mesh = &std::get<Rare<MeshNode>>(*shape).get();
     face_count_ += static_cast<int64_t>(mesh->face_vertices.size());
     meshes_.push_back({std::move(shape), mesh, placement_of(*object)});
   }

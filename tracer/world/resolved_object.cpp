@@ -184,7 +184,7 @@ void ResolvedObject::move(const Transform& by) {
     interior_texture.move(by);
   }
   if (interior && !interior->media.empty()) {
-    interior_transform = interior_moved ? interior_transform.then(by) : by;
+    interior_transform = interior_moved ? interior_transform->then(by) : by;
     interior_moved = true;
   }
 }

@@ -16,12 +16,12 @@ namespace durer {
 struct MovedTexture {
   TexturePtr texture;
   bool moved = false;
-  Transform transform;
+  Rare<Transform> transform;
 
   explicit operator bool() const { return texture != nullptr; }
   void move(const Transform& by) {
     if (!texture) return;
-    transform = moved ? transform.then(by) : by;
+    transform = moved ? transform->then(by) : by;
     moved = true;
   }
 };
@@ -57,7 +57,7 @@ struct ResolvedObject {
   std::shared_ptr<const InteriorNode> interior;
   int shared_interior = -1;  // number given by a union that was split
   bool interior_moved = false;
-  Transform interior_transform;
+  Rare<Transform> interior_transform;
   bool uv_mapping = false;
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
   bool hollow = false, hollow_given = false, double_illuminate = false;

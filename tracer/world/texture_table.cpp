@@ -67,17 +67,20 @@ uint32_t TextureTable::add(const TexturePtr& texture) {
 }
 
 uint32_t TextureTable::index_of(const MovedTexture& texture) {
-  Placement placement{};
-  const bool moved = texture.moved && !looks_the_same_everywhere(*texture.texture);
-  if (moved) {
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 3; ++j) placement[3 * i + j] = texture.transform.forward.row[i][j];
-    }
+  const TextureNode* node = texture.texture.get();
+  if (!texture.moved || looks_the_same_everywhere(*node)) {
+    const auto [place, is_new] = unmoved_.try_emplace(node, 0);
+    if (is_new) place->second = add(texture.texture);
+    return place->second;
   }
-  const auto [place, is_new] = known_.try_emplace({texture.texture.get(), placement}, 0);
+  Placement placement{};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) placement[3 * i + j] = texture.transform->forward.row[i][j];
+  }
+  const auto [place, is_new] = moved_.try_emplace({node, placement}, 0);
   if (is_new) {
     kept_.push_back(texture.texture);
-    place->second = add(moved ? transformed(texture.texture, texture.transform) : texture.texture);
+    place->second = add(transformed(texture.texture, texture.transform));
   }
   return place->second;
 }

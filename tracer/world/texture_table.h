@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,8 @@ class TextureTable {
   uint32_t add(const TexturePtr& texture);
 
   using Placement = std::array<double, 12>;
-  std::map<std::pair<const TextureNode*, Placement>, uint32_t> known_;
+  std::unordered_map<const TextureNode*, uint32_t> unmoved_;
+  std::map<std::pair<const TextureNode*, Placement>, uint32_t> moved_;
   std::vector<TexturePtr> textures_;
   std::vector<TexturePtr> kept_;  // originals, so that their addresses stay theirs
   std::vector<bool> uses_uv_;

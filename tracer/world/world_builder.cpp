@@ -312,9 +312,7 @@ void WorldBuilder::fill_shape(uint32_t index, const ResolvedObject& object, bool
     node.transform = static_cast<int32_t>(data_.geometry.transforms.size());
     data_.geometry.transforms.push_back(object.transform);
   }
-  if (owned_.try_emplace(object.shape.get(), index).second) {
-    data_.geometry.shapes.push_back(object.shape);
-  }
+  data_.geometry.shapes.push_back(object.shape);
 }
 
 NodeRange WorldBuilder::emit_list(const std::vector<ResolvedObject>& list) {

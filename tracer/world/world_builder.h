@@ -125,7 +125,6 @@ class WorldBuilder {
   WorldOptions options_;
   double atmosphere_ior_, atmosphere_dispersion_;
   TexturePtr default_texture_;
-  std::unordered_map<const Shape*, uint32_t> owned_;
   std::unordered_map<const ResolvedObject*, uint32_t> groups_;
   std::vector<std::shared_ptr<const ResolvedObject>> originals_;
   ObjectSet* set_;                // that top-level objects go to
