@@ -1,10 +1,11 @@
-// Preloaded into durer: counts calls of malloc and its kin, and writes the count at the end to the
-// file named by ALLOCATION_COUNT.
+// Preloaded into durer: counts what is allocated by malloc, operator new and their kin, whichever
+// library serves them, and writes the count at the end to the file named by ALLOCATION_COUNT.
 #include <dlfcn.h>
 
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 namespace {
 std::atomic<unsigned long> count{0};
@@ -28,16 +29,15 @@ struct AtExit {
 }  // namespace
 
 extern "C" {
-void* __libc_malloc(size_t size);
-void* __libc_realloc(void* block, size_t size);
-
 void* malloc(size_t size) {
+  static const auto real = next<void* (*)(size_t)>("malloc");
   count.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
+  return real(size);
 }
 void* realloc(void* block, size_t size) {
+  static const auto real = next<void* (*)(void*, size_t)>("realloc");
   count.fetch_add(1, std::memory_order_relaxed);
-  return __libc_realloc(block, size);
+  return real(block, size);
 }
 void* aligned_alloc(size_t alignment, size_t size) {
   static const auto real = next<void* (*)(size_t, size_t)>("aligned_alloc");
@@ -49,4 +49,21 @@ int posix_memalign(void** block, size_t alignment, size_t size) {
   count.fetch_add(1, std::memory_order_relaxed);
   return real(block, alignment, size);
 }
+}
+
+// The nothrow forms are not used.
+void* operator new(size_t size) {
+  static const auto real = next<void* (*)(size_t)>("_Znwm");
+  count.fetch_add(1, std::memory_order_relaxed);
+  return real(size);
+}
+void* operator new[](size_t size) {
+  static const auto real = next<void* (*)(size_t)>("_Znam");
+  count.fetch_add(1, std::memory_order_relaxed);
+  return real(size);
+}
+void* operator new(size_t size, std::align_val_t alignment) {
+  static const auto real = next<void* (*)(size_t, std::align_val_t)>("_ZnwmSt11align_val_t");
+  count.fetch_add(1, std::memory_order_relaxed);
+  return real(size, alignment);
 }
