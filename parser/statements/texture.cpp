@@ -10,10 +10,11 @@
 namespace durer {
 namespace {
 
-// The same with no_bump_scale in every normal below.
+// The same with no_bump_scale, in the textures of its map, too. Of layers only the top one has it.
 TexturePtr without_bump_scale(const TexturePtr& texture) {
   if (!texture) return texture;
   auto copy = std::make_shared<TextureNode>(*texture);
+  copy->no_bump_scale = true;
   if (texture->normal) {
     auto normal = std::make_shared<NormalNode>(*texture->normal);
     normal->no_bump_scale = true;
@@ -25,7 +26,31 @@ TexturePtr without_bump_scale(const TexturePtr& texture) {
     copy->texture_map = std::move(map);
   }
   for (TexturePtr& material : copy->materials) material = without_bump_scale(material);
-  copy->below = without_bump_scale(texture->below);
+  return copy;
+}
+
+ColorRGBFT with_filter_as_transmit(ColorRGBFT color) {
+  color.transmit += color.filter;
+  color.filter = 0;
+  return color;
+}
+
+// Scenes up to language 3.1: what lies above another layer does not filter, it only lets through.
+std::shared_ptr<const PigmentNode> with_filter_as_transmit(
+    const std::shared_ptr<const PigmentNode>& pigment) {
+  if (!pigment) return pigment;
+  auto copy = std::make_shared<PigmentNode>(*pigment);
+  copy->color = with_filter_as_transmit(pigment->color);
+  if (pigment->color_map) {
+    auto map = std::make_shared<ColorMap>(*pigment->color_map);
+    for (auto& entry : map->entries) entry.item = with_filter_as_transmit(entry.item);
+    copy->color_map = std::move(map);
+  }
+  if (pigment->pigment_map) {
+    auto map = std::make_shared<PigmentMap>(*pigment->pigment_map);
+    for (auto& entry : map->entries) entry.item = with_filter_as_transmit(entry.item);
+    copy->pigment_map = std::move(map);
+  }
   return copy;
 }
 
@@ -222,6 +247,9 @@ TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TextureP
   // The top may be a stack of its own: its bottom comes to lie on `below`.
   auto copy = std::make_shared<TextureNode>(*top);
   copy->below = top->below ? layer_texture(parser, below, top->below) : below;
+  if (parser.effective_version() <= 310) {
+    copy->pigment = with_filter_as_transmit(copy->pigment);
+  }
   return copy;
 }
 

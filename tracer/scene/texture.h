@@ -106,6 +106,7 @@ struct FinishNode {
 struct TextureNode {
   enum class Kind : uint8_t { plain, patterned, material_map };
   Kind kind = Kind::plain;
+  bool no_bump_scale = false;
   std::shared_ptr<const PigmentNode> pigment;
   std::shared_ptr<const NormalNode> normal;  // null: none
   std::shared_ptr<const FinishNode> finish;

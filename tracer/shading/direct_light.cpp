@@ -42,7 +42,8 @@ RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& text
     if (!layer.pigment->evaluate(point, context, c)) continue;
     product *= c.rgb() * c.filter + RGB(c.transmit);
     if (caustics != 0) {
-      const Vec3 normal = normalize_or_zero(layer_normal(layer, frames, point, context));
+      TextureContext bent = context;
+      const Vec3 normal = normalize_or_zero(layer_normal(layer, frames, point, bent));
       const double cosine = std::abs(dot(normal, context.ray_direction));
       product *= static_cast<float>(1 + std::pow(cosine, caustics));
     }

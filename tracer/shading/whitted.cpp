@@ -160,8 +160,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     Vec3 normal = hit.context.normal;
     TextureContext context = hit.context;
     if (layer.normal) {
-      context.normal = layer_normal(layer, frames, point, hit.context);
-      normal = normalize_or_zero(context.normal);
+      normal = layer_normal(layer, frames, point, context);
     }
     if (!first_layer) {
       first_layer = &layer;

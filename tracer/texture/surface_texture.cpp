@@ -30,13 +30,13 @@ class MapSelector : public TextureSelector {
     child_point = pattern_.warp_point(point);
     const MapPlace place =
         find_in_map(entries_, pattern_.value_at_warped(child_point, context));
-    out[0] = {entries_[place.lower].item.get(), 1 - place.share};
-    if (place.lower == place.upper) {
-      out[0].weight = 1;
-      return 1;
+    // The upper entry is shaded first: what it encloses still counts for the lower one (14.6).
+    int count = 0;
+    if (place.lower != place.upper) {
+      out[count++] = {entries_[place.upper].item.get(), place.share};
     }
-    out[1] = {entries_[place.upper].item.get(), place.share};
-    return 2;
+    out[count] = {entries_[place.lower].item.get(), count ? 1 - place.share : 1};
+    return count + 1;
   }
 
  private:
@@ -85,6 +85,7 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
   layer.pigment = compile_pigment(node.pigment ? *node.pigment : PigmentNode{}, settings);
   if (node.normal && node.normal->pattern->kind != PatternKind::none && settings.quality >= 8) {
     layer.normal = compile_normal(*node.normal, settings);
+    layer.normal_keeps_length = node.normal->no_bump_scale;
   }
   if (node.finish) layer.finish = *node.finish;
   layer.highlight_exponent = layer.finish.roughness != 0 ? 1 / layer.finish.roughness : 0;
@@ -94,17 +95,18 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
 }  // namespace
 
 Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, const Vec3& point,
-                  const TextureContext& context) {
+                  TextureContext& context) {
   if (!layer.normal) return context.normal;
-  return enclosing.outwards(
-      layer.normal->perturb(point, context, enclosing.inwards(context.normal)));
+  context.normal = layer.normal->perturb(point, context, enclosing.inwards(context.normal));
+  return enclosing.outwards(layer.normal_keeps_length ? normalize_or_zero(context.normal)
+                                                      : context.normal);
 }
 
 std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& node,
                                                        const TextureSettings& settings) {
   auto texture = std::make_shared<CompiledTexture>();
   if (node.kind != TextureNode::Kind::plain) {
-    texture->frame = NormalFrame(node.pattern->warps, false);
+    texture->frame = NormalFrame(node.pattern->warps, node.no_bump_scale);
   }
   switch (node.kind) {
     case TextureNode::Kind::plain:

@@ -44,6 +44,7 @@ class CompiledNormal {
 struct TextureLayer {
   std::shared_ptr<const CompiledPigment> pigment;
   std::shared_ptr<const CompiledNormal> normal;  // null: none
+  bool normal_keeps_length = false;              // no_bump_scale: perturb() gives any length
   FinishNode finish;
   float highlight_exponent = 20;  // 1/roughness
 };
@@ -75,10 +76,11 @@ struct CompiledTexture {
   bool is_opaque = true;
 };
 
-// The normal that a layer's pigment sees; not a unit vector with no_bump_scale. context.normal is the
-// geometric one, facing the ray.
+// The normal of a layer for shading; not of length 1 under a patterned texture with no_bump_scale.
+// context.normal is the geometric one, facing the ray, on entry, and what the layer's pigment sees on
+// return: bent, but still in the space of the enclosing textures.
 Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, const Vec3& point,
-                  const TextureContext& context);
+                  TextureContext& context);
 
 // Compiles a texture; what cannot be rendered yet is reported through NotSupported.
 std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& texture,
