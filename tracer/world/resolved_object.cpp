@@ -121,14 +121,15 @@ std::shared_ptr<const LightNode> moved(const LightNode& light, const Transform& 
 
 void ResolvedObject::recompute_box() {
   if (!shape || is_quadric) return;
+  const Bounds local = shape->bounds();
   if (is_plane) {
     if (!clips.empty()) box = clips.front().box;
-    return;
-  }
-  Bounds local = shape->bounds();
-  if (!has_transform) {
+  } else if (!local.is_bounded()) {
+    // A move forgets the box of bounded_by.
+    box = clips.empty() ? FloatBox() : clips.front().box;
+  } else if (!has_transform) {
     box = FloatBox::from(local);
-  } else if (local.is_bounded()) {
+  } else {
     box = FloatBox::from(local).transformed(transform);
   }
 }
@@ -297,7 +298,7 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
   const bool was_difference = result.written_as_difference;
   bool changes_boxes = false;
   for (const Modifier& modifier : object->modifiers) {
-    apply(result, modifier);
+    apply(result, modifier, object->base != nullptr);
     changes_boxes |= std::holds_alternative<AddBounds>(modifier) ||
                      std::holds_alternative<AddClips>(modifier);
   }
@@ -351,6 +352,7 @@ ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
   }
   const PlacedShape placed = compiled(object);
   result.shape = placed.shape;
+  result.written = &node;
   result.shape_kind = static_cast<uint8_t>(node.index());
   result.has_transform = placed.has_transform;
   result.transform = placed.transform;
@@ -371,23 +373,30 @@ ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
   return result;
 }
 
+namespace {
+
+// The same shape with another way of finding roots.
+ShapeNode with_sturm(const ShapeNode& node, bool sturm) {
+  ShapeNode changed = node;
+  std::visit(
+      [&](auto& shape) {
+        if constexpr (requires { shape.sturm; }) shape.sturm = sturm;
+      },
+      changed);
+  return changed;
+}
+
+}  // namespace
+
 PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
   const ShapeContext context{object.position, effective_version_};
-  // `sturm` and `hierarchy` are written among the modifiers but belong to the shape.
-  bool changed = false;
-  ShapeNode own;
-  for (const Modifier& modifier : object.modifiers) {
-    const auto* flag = std::get_if<SetFlag>(&modifier);
-    if (!flag || flag->flag != ObjectFlag::sturm) continue;
-    if (!changed) own = *object.shape;
-    changed = true;
-    std::visit(
-        [&](auto& shape) {
-          if constexpr (requires { shape.sturm; }) shape.sturm = flag->value;
-        },
-        own);
+  // `sturm` is written among the modifiers but belongs to the shape.
+  for (auto modifier = object.modifiers.rbegin(); modifier != object.modifiers.rend(); ++modifier) {
+    const auto* flag = std::get_if<SetFlag>(&*modifier);
+    if (flag && flag->flag == ObjectFlag::sturm) {
+      return compile_shape(with_sturm(*object.shape, flag->value), context);
+    }
   }
-  if (changed) return compile_shape(own, context);
   const auto known = shapes_.find(object.shape.get());
   if (known != shapes_.end()) return known->second;
   PlacedShape placed;
@@ -447,7 +456,7 @@ ResolvedObject ObjectResolver::resolve_text(const TextNode& node) {
   return result;
 }
 
-void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier) {
+void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier, bool is_copy) {
   if (!std::holds_alternative<Rare<Transform>>(modifier) &&
       !std::holds_alternative<SetDefaultTexture>(modifier)) {
     object.expand();
@@ -510,9 +519,14 @@ void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier) {
       case ObjectFlag::uv_mapping: object.uv_mapping = value; break;
       case ObjectFlag::inverse: object.invert(); break;
       case ObjectFlag::global_lights: object.global_lights = value; break;
-      // These reach the shape through its node.
       case ObjectFlag::sturm:
-      case ObjectFlag::hierarchy: break;
+        // Of a copy; in the shape's own statement compiled() has seen to it.
+        if (object.shape && is_copy) {
+          const ShapeContext context{object.position, effective_version_};
+          object.shape = compile_shape(with_sturm(*object.written, value), context).shape;
+        }
+        break;
+      case ObjectFlag::hierarchy: break;  // changes nothing that is seen
     }
   }
 }

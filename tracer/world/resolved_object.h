@@ -33,6 +33,7 @@ struct ResolvedObject {
   // shape
   std::shared_ptr<const Shape> shape;  // null: degenerate, never hit
   uint8_t shape_kind = 0;              // ShapeNode::index()
+  const ShapeNode* written = nullptr;  // its statement
   bool is_plane = false, is_quadric = false, is_height_field = false;
   bool has_transform = false;
   Transform transform;
@@ -100,7 +101,7 @@ class ObjectResolver {
   PlacedShape compiled(const ObjectNode& object);
   ResolvedObject resolve_csg(const CsgNode& node);
   ResolvedObject resolve_text(const TextNode& node);
-  void apply(ResolvedObject& object, const Modifier& modifier);
+  void apply(ResolvedObject& object, const Modifier& modifier, bool is_copy);
 
   int effective_version_;
   std::unordered_map<const ShapeNode*, PlacedShape> shapes_;

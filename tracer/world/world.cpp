@@ -33,30 +33,6 @@ HitStack& scratch() {
   return stack;
 }
 
-// Where a ray enters a box; decides which of two coincident surfaces is met (geometry.md 2.5).
-float entry_key(const FloatBox& box, const GeometryRay& ray) {
-  float key = -2e10f;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float d = static_cast<float>(ray.direction[axis]);
-    if (d == 0) continue;
-    const float o = static_cast<float>(ray.origin[axis]);
-    const float plane = d > 0 ? box.lower[axis] : box.lower[axis] + box.length[axis];
-    key = std::max(key, (plane - o) * (1 / d));
-  }
-  return key;
-}
-
-// Whether the top-level object a is tested before b.
-bool is_tested_first(const ObjectSet& set, uint32_t a, uint32_t b, const GeometryRay& ray) {
-  const bool infinite_a = set.is_infinite(a), infinite_b = set.is_infinite(b);
-  if (infinite_a != infinite_b) return infinite_a;
-  if (!infinite_a) {
-    const float key_a = entry_key(set.objects[a].box, ray), key_b = entry_key(set.objects[b].box, ray);
-    if (key_a != key_b) return key_a < key_b;
-  }
-  return a < b;
-}
-
 GeometryRay local_ray(const Instance& instance, const GeometryRay& ray) {
   return {instance.transform.inverse_point(ray.origin),
           instance.transform.inverse_direction(ray.direction), ray.kind, false};
@@ -101,7 +77,8 @@ struct ClosestSearch {
       return;
     }
     if (candidate.t == best && top >= 0 &&
-        !is_tested_first(set, item.object, static_cast<uint32_t>(top), ray)) {
+        !set.is_tested_first(item.object, static_cast<uint32_t>(top), ray.origin,
+                             ray.direction)) {
       return;
     }
     hit = candidate;

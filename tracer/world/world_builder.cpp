@@ -18,6 +18,12 @@ bool is_union(const ResolvedObject& object) {
   return object.kind == ResolvedObject::Kind::csg && object.csg == CsgKind::union_;
 }
 
+template <typename Node>
+bool is_shape_of(const ResolvedObject& object) {
+  return object.kind == ResolvedObject::Kind::shape &&
+         object.shape_kind == ShapeNode(std::in_place_type<Node>).index();
+}
+
 NodeKind node_kind(const ResolvedObject& object) {
   switch (object.csg) {
     case CsgKind::union_:
@@ -183,8 +189,9 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
     if (!object.interior) object.shared_interior = inherited.shared_interior;
   }
   // Unneeded bounds go (their box stays).
-  const bool keeps_bounds =
-      object.kind == ResolvedObject::Kind::csg || (object.is_quadric && !object.box_from_quadric);
+  const bool keeps_bounds = object.kind == ResolvedObject::Kind::csg ||
+                            is_shape_of<PolyNode>(object) || is_shape_of<TextNode>(object) ||
+                            (object.is_quadric && !object.box_from_quadric);
   if (options_.remove_bounds && !keeps_bounds) {
     object.bounds.clear();
   }
@@ -464,7 +471,19 @@ void WorldBuilder::finish() {
   finish_set(data_.scene, count >= static_cast<size_t>(options_.bounding_threshold));
 }
 
+bool ObjectSet::is_tested_first(uint32_t a, uint32_t b, const Vec3& origin,
+                                const Vec3& direction) const {
+  if (!uses_bounding) return a < b;
+  std::call_once(order_made, [&] {
+    std::vector<FloatBox> all_boxes;
+    for (const TopLevelObject& object : objects) all_boxes.push_back(object.box);
+    order = std::make_unique<const TestOrder>(all_boxes);
+  });
+  return order->is_tested_first(a, b, origin, direction);
+}
+
 void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
+  set.uses_bounding = uses_bounding;
   for (TopLevelObject& top : set.objects) {
     Bounds box = top.box.is_infinite() ? Bounds::everything() : top.box.to_bounds();
     if (top.instance < 0) {

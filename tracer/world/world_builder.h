@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <unordered_map>
 #include <vector>
 
 #include "tracer/intersect/geometry.h"
 #include "tracer/world/resolved_object.h"
+#include "tracer/world/test_order.h"
 #include "tracer/world/texture_table.h"
 #include "tracer/world/world.h"
 
@@ -48,8 +50,14 @@ struct ObjectSet {
   // Those that cast shadows, once textures are known: opaque ones, and others. Copies of shared
   // objects may be in both. Null: `all`.
   std::unique_ptr<SearchList> opaque, clear;
+  bool uses_bounding = true;
+  // For coincident surfaces; made when the first are met.
+  mutable std::once_flag order_made;
+  mutable std::unique_ptr<const TestOrder> order;
 
   bool is_infinite(uint32_t object) const { return !boxes[object].is_bounded(); }
+  // Whether a ray tests object a before object b (geometry.md 2.3).
+  bool is_tested_first(uint32_t a, uint32_t b, const Vec3& origin, const Vec3& direction) const;
   const SearchList& opaque_casters() const { return opaque ? *opaque : all; }
   const SearchList& clear_casters() const { return clear ? *clear : all; }
 };

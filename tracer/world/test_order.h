@@ -1,0 +1,38 @@
+// Which of two coincident surfaces is met: that of the object which POV-Ray tests first. Its
+// hierarchy of boxes and the heap that it is walked with decide (spec/geometry.md 2.3, 2.5).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tracer/math/vector.h"
+#include "tracer/world/float_box.h"
+
+namespace durer {
+
+class TestOrder {
+ public:
+  // Boxes of the objects in the order of their declaration.
+  explicit TestOrder(const std::vector<FloatBox>& boxes);
+
+  // Whether a ray tests object a before b; neither a nor b need be met.
+  bool is_tested_first(uint32_t a, uint32_t b, const Vec3& origin, const Vec3& direction) const;
+
+ private:
+  struct Node {
+    FloatBox box;
+    bool is_infinite = false;
+    int64_t object = -1;  // of a leaf
+    uint32_t first = 0, count = 0;  // in entries_
+  };
+  void build(uint32_t finite_count);
+  bool split(uint32_t first, uint32_t last);
+  void bundle(uint32_t first, uint32_t last);
+
+  std::vector<Node> nodes_;
+  std::vector<uint32_t> list_;     // while it is built: numbers of nodes
+  std::vector<uint32_t> entries_;  // numbers of nodes
+  uint32_t root_ = 0;
+};
+
+}  // namespace durer
