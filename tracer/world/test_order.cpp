@@ -46,9 +46,11 @@ bool enters(const FloatBox& box, const FloatRay& ray, float& key) {
       if (o < low || o > high) return false;
       continue;
     }
-    const bool down = ray.inverse[i] < 0;
-    enter = std::max(enter, ((down ? high : low) - o) * ray.inverse[i]);
-    leave = std::min(leave, ((down ? low : high) - o) * ray.inverse[i]);
+    // The far corner is the near one and a way along the edge.
+    const float lower = (low - o) * ray.inverse[i];
+    const float higher = lower + box.length[i] * ray.inverse[i];
+    enter = std::max(enter, std::min(lower, higher));
+    leave = std::min(leave, std::max(lower, higher));
     if (leave < 1e-10f || enter > leave) return false;
   }
   key = enter;
