@@ -307,7 +307,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
         }
         return vector({0, 0, 0});
       }
-      return vector(a / std::sqrt(dot(a, a)));
+      return vector(a * (1 / std::sqrt(dot(a, a))));
     }
     case Keyword::vrotate: {
       two_vectors();
@@ -392,7 +392,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       expect(Symbol::paren_close);
       Vec3 point{0}, normal{0};
       const double length = std::sqrt(dot(b, b));
-      if (length == 0 || !parser.queries().trace(object, a, b / length, point, normal)) {
+      if (length == 0 || !parser.queries().trace(object, a, b * (1 / length), point, normal)) {
         point = normal = Vec3(0);
       }
       if (normal_at.entry) {

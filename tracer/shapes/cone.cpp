@@ -28,22 +28,22 @@ class Cone final : public Shape {
   Bounds bounds() const override { return {{-1, -1, least_z_}, {1, 1, 1}}; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    double scale;
+    double stretch;
     double depth[4];
     Part part[4];
-    const int count = find(ray, scale, depth, part);
-    for (int i = 0; i < count; ++i) out.push(depth[i] * scale, part[i]);
+    const int count = find(ray, stretch, depth, part);
+    for (int i = 0; i < count; ++i) out.push(depth[i] / stretch, part[i]);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
-    double scale;
+    double stretch;
     double depth[4];
     Part part[4];
-    const int count = find(ray, scale, depth, part);
+    const int count = find(ray, stretch, depth, part);
     double best = ray.t_max;
     bool found = false;
     for (int i = count; i-- > 0;) {
-      const double t = depth[i] * scale;
+      const double t = depth[i] / stretch;
       if (t < best && t >= kLeastHitDepth) {
         best = t;
         hit.t = t;
@@ -72,10 +72,11 @@ class Cone final : public Shape {
   }
 
  private:
-  // Depths in normalised local space in the order of the specification; returns their count.
-  int find(const ShapeRay& ray, double& scale, double* depth, Part* part) const {
-    scale = 1 / length(ray.direction);
-    const Vec3 d = ray.direction * scale;
+  // Depths in normalised local space, `stretch` times those in the world, in the order of the
+  // specification; returns their count.
+  int find(const ShapeRay& ray, double& stretch, double* depth, Part* part) const {
+    stretch = length(ray.direction);
+    const Vec3 d = ray.direction * (1 / stretch);
     const Vec3& o = ray.origin;
     int count = 0;
     const auto add = [&](double t, Part which) {

@@ -63,7 +63,7 @@ bool ObjectQuery::trace(const Vec3& origin, const Vec3& unit_direction, Vec3& po
   } else {
     normal = node.shape->normal(point, hit);
   }
-  normal = normalize_or_zero(normal);
+  normal = normal * (1 / length(normal));
   if (node.inverted) normal = -normal;
   return true;
 }
