@@ -20,6 +20,7 @@ enum class ObjectFlag : uint8_t {
 struct PhotonSettings {  // photons{} of an object (spec/gi.md A1.2)
   std::optional<double> target;  // spacing multiplier
   std::optional<bool> refraction, reflection, pass_through, collect;
+  bool operator==(const PhotonSettings&) const = default;
 };
 
 // The parser has resolved `pigment{}`, `normal{}`, `finish{}` and layering into whole textures.

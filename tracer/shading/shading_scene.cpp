@@ -12,7 +12,7 @@ void refuse_missing_features(const Scene& scene, const World& world, int quality
   if (!scene.atmosphere.empty()) {
     throw NotSupported("media in the atmosphere", scene.atmosphere.front()->position);
   }
-  for (const WorldInterior& interior : world.interiors()) {
+  for (const WorldInterior& interior : world.interiors().kinds()) {
     if (interior.node && !interior.node->media.empty() && interior.hollow) {
       throw NotSupported("media inside an object", interior.node->media.front()->position);
     }

@@ -231,6 +231,13 @@ namespace {
 constexpr int kLeastUses = 8;
 constexpr size_t kLeastShapes = 32;
 
+// Whether nothing in it takes the default texture, which differs from copy to copy.
+bool is_textured_throughout(const ResolvedObject& object) {
+  if (object.texture) return true;
+  return object.kind == ResolvedObject::Kind::csg && !object.children.empty() &&
+         std::all_of(object.children.begin(), object.children.end(), is_textured_throughout);
+}
+
 // What a copy may share: a textured union, to be split, of plain shapes and CSG.
 bool can_be_shared(const ResolvedObject& object, bool is_root, size_t& shapes) {
   if (object.kind == ResolvedObject::Kind::light || object.kind == ResolvedObject::Kind::copy) {
@@ -238,7 +245,7 @@ bool can_be_shared(const ResolvedObject& object, bool is_root, size_t& shapes) {
   }
   if (object.cutaway_textures || object.is_light_group || object.box.is_infinite()) return false;
   if (is_root && (object.kind != ResolvedObject::Kind::csg || object.csg != CsgKind::union_ ||
-                  !object.texture || !object.clips.empty() || !object.bounds.empty() ||
+                  !is_textured_throughout(object) || !object.clips.empty() || !object.bounds.empty() ||
                   object.bounds_are_clips || !object.split_union)) {
     return false;
   }
@@ -251,12 +258,14 @@ bool can_be_shared(const ResolvedObject& object, bool is_root, size_t& shapes) {
       [&](const ResolvedObject& child) { return can_be_shared(child, false, shapes); });
 }
 
-void count_uses(const ObjectNode& node, std::unordered_map<const ObjectNode*, int>& uses) {
-  if (++uses[&node] > 1) return;
-  if (node.base) count_uses(*node.base, uses);
+// Only of nodes with more than one owner: the others are used once.
+void count_uses(const ObjectPtr& object, std::unordered_map<const ObjectNode*, int>& uses) {
+  const ObjectNode& node = *object;
+  if (object.use_count() > 1 && ++uses[&node] > 1) return;
+  if (node.base) count_uses(node.base, uses);
   if (!node.shape) return;
   if (const auto* csg = std::get_if<CsgNode>(node.shape.get())) {
-    for (const ObjectPtr& child : csg->children) count_uses(*child, uses);
+    for (const ObjectPtr& child : csg->children) count_uses(child, uses);
   }
 }
 
@@ -264,7 +273,7 @@ void count_uses(const ObjectNode& node, std::unordered_map<const ObjectNode*, in
 
 void ObjectResolver::find_shared(const std::vector<ObjectPtr>& scene) {
   std::unordered_map<const ObjectNode*, int> uses;
-  for (const ObjectPtr& object : scene) count_uses(*object, uses);
+  for (const ObjectPtr& object : scene) count_uses(object, uses);
   for (const auto& [node, count] : uses) {
     if (count >= kLeastUses && node->shape && std::holds_alternative<CsgNode>(*node->shape)) {
       shared_.emplace(node, nullptr);

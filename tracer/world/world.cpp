@@ -446,7 +446,10 @@ int World::containing_interiors(const Vec3& point, int* interiors, int capacity)
 }
 
 const std::vector<TexturePtr>& World::textures() const { return impl_->data.textures.textures(); }
-const std::vector<WorldInterior>& World::interiors() const { return impl_->data.interiors; }
+const InteriorTable& World::interiors() const { return impl_->data.interiors; }
+const std::vector<IndirectSettings>& World::indirect_settings() const {
+  return impl_->data.indirect;
+}
 const std::vector<WorldLight>& World::lights() const { return impl_->data.lights; }
 const std::vector<LightGroup>& World::light_groups() const { return impl_->data.light_groups; }
 Bounds World::bounds() const { return impl_->data.scene.all.bvh.bounds(); }

@@ -32,19 +32,26 @@ struct Hit {
 
 inline constexpr uint32_t kNoTexture = 0xffffffffu;
 
+// What indirect light needs to know of an object; most say nothing.
+struct IndirectSettings {
+  PhotonSettings photons;
+  double radiosity_importance = -1;  // negative: not set
+  bool operator==(const IndirectSettings&) const = default;
+};
+
 // What a surface is made of, by index. One per primitive and copy.
 struct WorldObject {
   uint32_t texture = kNoTexture;           // index into World::textures()
   uint32_t interior_texture = kNoTexture;  // used where the ray leaves
   int interior = 0;                        // index into World::interiors()
   int light_group = -1;                    // innermost light group, -1: none
-  bool uv_mapping = false;
-  bool double_illuminate = false;
-  bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
-  bool inverted = false;
-  PhotonSettings photons;
-  double radiosity_importance = -1;  // negative: not set
-  SourcePosition position;
+  uint32_t indirect = 0;                   // index into World::indirect_settings(); 0: none said
+  bool uv_mapping : 1 = false;
+  bool double_illuminate : 1 = false;
+  bool no_shadow : 1 = false, no_image : 1 = false;
+  bool no_reflection : 1 = false, no_radiosity : 1 = false;
+  bool inverted : 1 = false;
+  bool operator==(const WorldObject&) const = default;
 };
 
 // Every object has one (spec/shading.md 11.2); members of a CSG share their parent's.
@@ -56,6 +63,27 @@ struct WorldInterior {
   double caustics = 0;   // exponent of the brightening of shadows; 0: none
   float refraction = 1;  // factor on the light that passes each surface
   bool hollow = false;
+  bool operator==(const WorldInterior&) const = default;
+};
+
+// Interiors by number. Each object's is its own, told apart by the number alone: most are alike.
+class InteriorTable {
+ public:
+  const WorldInterior& operator[](int number) const { return kinds_[kind_of_[number]]; }
+  size_t size() const { return kind_of_.size(); }
+  // All that occur among them, perhaps some twice.
+  const std::vector<WorldInterior>& kinds() const { return kinds_; }
+
+  int add(const WorldInterior& interior);
+  // One more like this one.
+  int add_copy(int number);
+  void set(int number, const WorldInterior& interior) { kind_of_[number] = kind(interior); }
+
+ private:
+  uint32_t kind(const WorldInterior& interior);
+
+  std::vector<uint32_t> kind_of_;
+  std::vector<WorldInterior> kinds_;
 };
 
 struct TextureShare {
@@ -119,7 +147,8 @@ class World {
   int containing_interiors(const Vec3& point, int* interiors, int capacity) const;
 
   const std::vector<TexturePtr>& textures() const;
-  const std::vector<WorldInterior>& interiors() const;
+  const InteriorTable& interiors() const;
+  const std::vector<IndirectSettings>& indirect_settings() const;
   const std::vector<WorldLight>& lights() const;
   const std::vector<LightGroup>& light_groups() const;
   // Set once before rendering, by texture index: whether it can let light through.

@@ -93,6 +93,27 @@ void take_from_finish(WorldInterior& interior, const TextureNode& texture) {
 
 }  // namespace
 
+// Objects that follow each other mostly agree: only the last ones are looked at.
+uint32_t InteriorTable::kind(const WorldInterior& interior) {
+  constexpr size_t kMostCompared = 4;
+  const size_t count = kinds_.size();
+  for (size_t i = 0; i < kMostCompared && i < count; ++i) {
+    if (kinds_[count - 1 - i] == interior) return static_cast<uint32_t>(count - 1 - i);
+  }
+  kinds_.push_back(interior);
+  return static_cast<uint32_t>(count);
+}
+
+int InteriorTable::add(const WorldInterior& interior) {
+  kind_of_.push_back(kind(interior));
+  return static_cast<int>(kind_of_.size() - 1);
+}
+
+int InteriorTable::add_copy(int number) {
+  kind_of_.push_back(kind_of_[number]);
+  return static_cast<int>(kind_of_.size() - 1);
+}
+
 WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options, double atmosphere_ior,
                            double atmosphere_dispersion, TexturePtr default_texture)
     : data_(data),
@@ -150,15 +171,10 @@ void WorldBuilder::add_instance(const ResolvedObject& copy) {
     };
     if (group.textures[i]) object.texture = moved(group.textures[i]);
     if (group.interior_textures[i]) object.interior_texture = moved(group.interior_textures[i]);
-    const auto [own, is_new] =
-        interiors.try_emplace(object.interior, static_cast<int>(data_.interiors.size()));
-    if (is_new) {
-      WorldInterior interior = data_.interiors[object.interior];
-      data_.interiors.push_back(std::move(interior));
-    }
+    const auto [own, is_new] = interiors.try_emplace(object.interior, 0);
+    if (is_new) own->second = data_.interiors.add_copy(object.interior);
     object.interior = own->second;
-    object.position = copy.position;
-    data_.objects.push_back(std::move(object));
+    data_.objects.push_back(object);
   }
   TopLevelObject top;
   top.box = FloatBox::from(instance.transform.bounds(group.set.all.bvh.bounds()));
@@ -242,7 +258,6 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
   if (object.shared_interior >= 0 && !object.interior) {
     interior = object.shared_interior;
   } else if (object.interior || parent_interior < 0) {
-    interior = static_cast<int>(data_.interiors.size());
     WorldInterior fresh;
     fresh.ior = atmosphere_ior_;
     fresh.dispersion = atmosphere_dispersion_;
@@ -268,33 +283,29 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
       fresh.caustics = 45.0 * static_cast<double>(fresh.node->caustics);
       fresh.refraction = fresh.node->refraction;
     }
-    data_.interiors.push_back(std::move(fresh));
+    interior = data_.interiors.add(fresh);
   } else {
     interior = parent_interior;
   }
-  data_.interiors[interior].hollow = object.hollow;
-  if (object.texture) take_from_finish(data_.interiors[interior], *object.texture.texture);
+  WorldInterior said = data_.interiors[interior];
+  said.hollow = object.hollow;
+  if (object.texture) take_from_finish(said, *object.texture.texture);
+  data_.interiors.set(interior, said);
+}
+
+uint32_t WorldBuilder::indirect_number(const ResolvedObject& object) {
+  const IndirectSettings settings{object.photons, object.radiosity_importance};
+  if (settings == data_.indirect.front()) return 0;
+  if (settings != data_.indirect.back()) data_.indirect.push_back(settings);
+  return static_cast<uint32_t>(data_.indirect.size() - 1);
 }
 
 uint32_t WorldBuilder::object_number(const WorldObject& object, const ResolvedObject& source) {
   // Members of one CSG follow each other and mostly agree.
-  const auto same = [&](const WorldObject& o) {
-    return o.texture == object.texture && o.interior_texture == object.interior_texture &&
-           o.interior == object.interior && o.light_group == object.light_group &&
-           o.uv_mapping == object.uv_mapping && o.double_illuminate == object.double_illuminate &&
-           o.no_shadow == object.no_shadow && o.no_image == object.no_image &&
-           o.no_reflection == object.no_reflection && o.no_radiosity == object.no_radiosity &&
-           o.inverted == object.inverted && o.radiosity_importance == object.radiosity_importance &&
-           o.photons.target == object.photons.target &&
-           o.photons.refraction == object.photons.refraction &&
-           o.photons.reflection == object.photons.reflection &&
-           o.photons.pass_through == object.photons.pass_through &&
-           o.photons.collect == object.photons.collect;
-  };
   const size_t count = data_.objects.size();
   const size_t first = group_ ? group_->first_object : 0;
   for (size_t i = 0; i < 4 && i < count - first; ++i) {
-    if (same(data_.objects[count - 1 - i])) return static_cast<uint32_t>(count - 1 - i);
+    if (data_.objects[count - 1 - i] == object) return static_cast<uint32_t>(count - 1 - i);
   }
   data_.objects.push_back(object);
   if (group_) {
@@ -423,9 +434,7 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   material.no_reflection = object.no_reflection;
   material.no_radiosity = object.no_radiosity;
   material.inverted = object.inverted;
-  material.photons = object.photons;
-  material.radiosity_importance = object.radiosity_importance;
-  material.position = object.position;
+  material.indirect = indirect_number(object);
 
   NodeAppearance appearance;
   appearance.cutaway_root = object.texture ? -1 : filter;

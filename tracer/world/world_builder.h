@@ -89,7 +89,8 @@ struct WorldData {
   std::vector<WorldObject> objects;
   std::vector<NodeAppearance> appearance;  // by node
   std::vector<uint32_t> own_texture_ids;
-  std::vector<WorldInterior> interiors;
+  InteriorTable interiors;
+  std::vector<IndirectSettings> indirect{IndirectSettings{}};
   std::vector<WorldLight> lights;
   std::vector<LightGroup> light_groups;
   std::vector<int64_t> projected;  // node of each light's projected_through, -1: none
@@ -124,6 +125,7 @@ class WorldBuilder {
   NodeRange emit_list(const std::vector<ResolvedObject>& list);
   uint32_t new_node();
   void fill_shape(uint32_t index, const ResolvedObject& object, bool csg_child);
+  uint32_t indirect_number(const ResolvedObject& object);
   uint32_t object_number(const WorldObject& object, const ResolvedObject& source);
   void add_instance(const ResolvedObject& copy);
   uint32_t group_of(const std::shared_ptr<const ResolvedObject>& original);
