@@ -331,13 +331,13 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
       }
       bound_quadric(result, range);
     }
-    // A height_field's own statement sets its box last.
-    const bool keeps_box = result.is_height_field && object->shape;
-    if (!keeps_box) {
-      if (!result.bounds_are_clips) install_box(result, result.bounds);
-      install_box(result, result.clips);
-    }
-    if (result.shape && result.shape->ignores_clips()) result.clips.clear();
+  }
+  // Every statement installs them again, also one that only moves a copy. A height_field's own
+  // statement sets its box last.
+  const bool keeps_box = result.is_height_field && object->shape;
+  if (!keeps_box) {
+    if (!result.bounds_are_clips) install_box(result, result.bounds);
+    install_box(result, result.clips);
   }
   return result;
 }

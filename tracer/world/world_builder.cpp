@@ -375,7 +375,7 @@ uint32_t WorldBuilder::emit_bare(const ResolvedObject& object, bool csg_child) {
   node.children = {static_cast<uint32_t>(geometry.lists.size()),
                    static_cast<uint32_t>(children.size())};
   geometry.lists.insert(geometry.lists.end(), children.begin(), children.end());
-  node.clips = clips;
+  if (!(object.shape && object.shape->ignores_clips())) node.clips = clips;
   node.bounds = bounds;
   geometry.finish_node(index);
   return index;
@@ -460,7 +460,7 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   node.children = {static_cast<uint32_t>(geometry.lists.size()),
                    static_cast<uint32_t>(children.size())};
   geometry.lists.insert(geometry.lists.end(), children.begin(), children.end());
-  node.clips = clips;
+  if (!(object.shape && object.shape->ignores_clips())) node.clips = clips;
   node.bounds = bounds;
   geometry.finish_node(index);
   return index;
