@@ -93,7 +93,7 @@ class Builder {
       range[count++] = {middle, whole.end, box_of(middle, whole.end)};
     }
     for (int i = 0; i < 8; ++i) {
-      uint32_t child = BvhNode::kEmpty;
+      uint32_t child = 0;
       if (i < count) {
         child = range[i].count() <= kLeafSize
                     ? BvhNode::kLeaf | range[i].begin << 3 | (range[i].count() - 1)
@@ -101,6 +101,7 @@ class Builder {
       }
       BvhNode& node = nodes_[index];
       node.child[i] = child;
+      node.used = (1u << count) - 1;
       for (int axis = 0; axis < 3; ++axis) {
         // Empty slots cannot be entered.
         const float inf = std::numeric_limits<float>::infinity();
@@ -216,16 +217,18 @@ void Bvh::visit_ray(const BvhRay& ray, double t_max, BvhRayVisitor visitor,
   // Clip to the whole in double, and start there: far origins would lose their digits. NaN (0·∞ in
   // a face's plane) loses every comparison.
   double enter = 0, leave = t_max;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool down = ray.inverse[axis] < 0;
-    const double near = ((down ? reach_.max : reach_.min)[axis] - ray.origin[axis]) *
-                        ray.inverse[axis];
-    const double far = ((down ? reach_.min : reach_.max)[axis] - ray.origin[axis]) *
-                       ray.inverse[axis];
-    enter = near > enter ? near : enter;
-    leave = far < leave ? far : leave;
+  if (!reach_.contains(ray.origin)) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool down = ray.inverse[axis] < 0;
+      const double near = ((down ? reach_.max : reach_.min)[axis] - ray.origin[axis]) *
+                          ray.inverse[axis];
+      const double far = ((down ? reach_.min : reach_.max)[axis] - ray.origin[axis]) *
+                         ray.inverse[axis];
+      enter = near > enter ? near : enter;
+      leave = far < leave ? far : leave;
+    }
+    if (!(enter <= leave * (1 + 1e-12))) return;
   }
-  if (!(enter <= leave * (1 + 1e-12))) return;
   BvhRayQuery query;
   query.nodes = nodes_.data();
   query.t_offset = enter;
@@ -244,7 +247,6 @@ void Bvh::visit_point(const Vec3& point, BvhPointVisitor visitor, void* context)
   if (nodes_.empty()) return;
   BvhPointQuery query;
   query.nodes = nodes_.data();
-  query.items = items_.data();
   query.visitor = visitor;
   query.context = context;
   for (int axis = 0; axis < 3; ++axis) {

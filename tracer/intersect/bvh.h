@@ -11,13 +11,13 @@
 namespace durer {
 
 struct alignas(64) BvhNode {
-  static constexpr uint32_t kEmpty = 0xffffffffu;
   static constexpr uint32_t kLeaf = 0x80000000u;
 
   float low[3][8];
   float high[3][8];
-  // Inner: index of a node. Leaf: kLeaf | first item << 3 | count - 1. Empty: kEmpty.
+  // Inner: index of a node. Leaf: kLeaf | first item << 3 | count - 1.
   uint32_t child[8];
+  uint32_t used;  // bit i: slot i holds a box
 };
 
 // A ray with what its walks share: 1/direction, infinite where a component is 0.
@@ -30,7 +30,8 @@ struct BvhRay {
 // Tests one leaf's items: `count` positions from `first` on in items(). May lower t_max; returns
 // true to end the walk.
 using BvhRayVisitor = bool (*)(void* context, uint32_t first, uint32_t count, double& t_max);
-using BvhPointVisitor = bool (*)(void* context, uint32_t item);
+// The same for one item: its position in items().
+using BvhPointVisitor = bool (*)(void* context, uint32_t position);
 
 class Bvh {
  public:

@@ -18,7 +18,6 @@ struct BvhRayQuery {
 };
 struct BvhPointQuery {
   const BvhNode* nodes;
-  const uint32_t* items;
   float point[3];
   BvhPointVisitor visitor;
   void* context;

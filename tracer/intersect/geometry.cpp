@@ -127,9 +127,9 @@ bool Geometry::all_or_none(const GeometryNode& node, const Vec3& point, bool wan
   } context{agrees, child, tree.bounded.data(), true};
   tree.bvh.visit_point(
       point,
-      [](void* data, uint32_t item) {
+      [](void* data, uint32_t position) {
         auto& c = *static_cast<Context*>(data);
-        c.agreed = c.test(c.child[c.bounded[item]]);
+        c.agreed = c.test(c.child[c.bounded[position]]);
         return !c.agreed;
       },
       &context);
@@ -190,7 +190,7 @@ void Geometry::for_each_child_met(const GeometryNode& node, const GeometryRay& r
         [](void* data, uint32_t first, uint32_t count, double&) {
           auto& c = *static_cast<Context*>(data);
           for (uint32_t i = first; i < first + count; ++i) {
-            c.picker.add(c.tree.bounded[c.tree.bvh.items()[i]]);
+            c.picker.add(c.tree.bounded[i]);
           }
           return c.picker.overflowed();
         },
@@ -325,7 +325,7 @@ bool Geometry::closest_of_union(const GeometryNode& node, const GeometryRay& ray
       [](void* data, uint32_t first, uint32_t count, double& limit) {
         auto& c = *static_cast<Context*>(data);
         for (uint32_t i = first; i < first + count; ++i) {
-          c.test(c.tree->bounded[c.tree->bvh.items()[i]]);
+          c.test(c.tree->bounded[i]);
         }
         limit = c.best;
         return false;
@@ -481,13 +481,14 @@ void Geometry::enclose(uint32_t index) {
   if (node.children.count < kTreeThreshold) return;
   auto tree = std::make_unique<ChildTree>();
   std::vector<Bounds> boxes;
+  std::vector<uint32_t> bounded;
   for (uint32_t i = 0; i < node.children.count; ++i) {
     const GeometryNode& member = nodes[child[i]];
     if (member.kind == NodeKind::nothing && !member.has_object) continue;
     // Members that decide far from their surface are always asked.
     if (member.surface_is_bounded && member.contains_outside == is_intersection &&
         !member.surface.is_empty()) {
-      tree->bounded.push_back(i);
+      bounded.push_back(i);
       boxes.push_back(member.surface);
     } else {
       tree->others.push_back(i);
@@ -495,6 +496,7 @@ void Geometry::enclose(uint32_t index) {
   }
   if (boxes.empty()) return;
   tree->bvh.build(boxes);
+  for (const uint32_t item : tree->bvh.items()) tree->bounded.push_back(bounded[item]);
   node.tree = static_cast<int32_t>(trees.size());
   trees.push_back(std::move(tree));
 }

@@ -48,7 +48,7 @@ struct GeometryNode {
 // The children of a composite, those with bounded surfaces in a hierarchy.
 struct ChildTree {
   Bvh bvh;
-  std::vector<uint32_t> bounded;  // child position of each item of bvh
+  std::vector<uint32_t> bounded;  // child positions in the order of bvh's leaves
   std::vector<uint32_t> others;   // child positions that are always asked
 };
 

@@ -17,7 +17,10 @@ double smooth_step(double low, double high, double x) {
 
 }  // namespace
 
-Light::Light(const LightNode& node) : node_(node) {
+Light::Light(const LightNode& node)
+    : node_(node),
+      is_directed_(node.parallel || node.kind == LightKind::cylinder),
+      is_attenuated_(node.kind != LightKind::point || node.fade_power > 0) {
   axis_ = normalize_or_zero(node.point_at - node.location);
   if (node.kind == LightKind::spot) {
     cos_radius_ = std::cos(node.radius * (M_PI / 180));
@@ -25,19 +28,14 @@ Light::Light(const LightNode& node) : node_(node) {
   }
 }
 
-LightDirection Light::direction_from(const Vec3& point, const Vec3& center) const {
-  const Vec3 to_center = center - point;
-  if (node_.parallel || node_.kind == LightKind::cylinder) {
-    // The axis of a parallel area light starts at the (jittered) centre.
-    const Vec3 towards = normalize_or_zero(center - node_.point_at);
-    return {towards, dot(to_center, towards)};
-  }
-  const double distance = length(to_center);
-  return {distance > 0 ? to_center / distance : to_center, distance};
+LightDirection Light::along_axis(const Vec3& point, const Vec3& center) const {
+  // The axis of a parallel area light starts at the (jittered) centre.
+  const Vec3 direction = normalize_or_zero(center - node_.point_at);
+  return {direction, dot(center - point, direction)};
 }
 
-double Light::attenuation(const Vec3& point, const Vec3& center,
-                          const LightDirection& to_light) const {
+double Light::attenuation_of_shape(const Vec3& point, const Vec3& center,
+                                   const LightDirection& to_light) const {
   double result = 1;
   if (node_.kind == LightKind::spot) {
     double cosine = node_.parallel ? 1.0 : -dot(to_light.direction, axis_);

@@ -20,14 +20,28 @@ class Light {
 
   const LightNode& node() const { return node_; }
   // From a light centre (the node's, or an area light's sample).
-  LightDirection direction_from(const Vec3& point, const Vec3& center) const;
+  LightDirection direction_from(const Vec3& point, const Vec3& center) const {
+    return is_directed_ ? along_axis(point, center) : towards(center - point);
+  }
   // Cone, cylinder and distance attenuation of 9.2 for a direction as above.
-  double attenuation(const Vec3& point, const Vec3& center, const LightDirection& to_light) const;
+  double attenuation(const Vec3& point, const Vec3& center, const LightDirection& to_light) const {
+    return is_attenuated_ ? attenuation_of_shape(point, center, to_light) : 1;
+  }
   // The direction in which the light shines (spot, cylinder, parallel).
   const Vec3& axis() const { return axis_; }
 
  private:
+  static LightDirection towards(const Vec3& to_center) {
+    const double distance = length(to_center);
+    return {distance > 0 ? to_center / distance : to_center, distance};
+  }
+  LightDirection along_axis(const Vec3& point, const Vec3& center) const;
+  double attenuation_of_shape(const Vec3& point, const Vec3& center,
+                              const LightDirection& to_light) const;
+
   LightNode node_;
+  bool is_directed_;    // rays run along the axis
+  bool is_attenuated_;  // by its shape or by distance
   Vec3 axis_{0, 0, 1};
   double cos_radius_ = 1, cos_falloff_ = 1;
 };

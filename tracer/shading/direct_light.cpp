@@ -127,7 +127,6 @@ void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ra
 // last `margin` of the way, casts no shadow.
 bool DirectLight::passes_projection(int index, const Vec3& point, const LightDirection& to_light,
                                     double& margin) const {
-  if (!scene_.lights[index].node().projected_through) return true;
   double depth;
   if (!scene_.world->closest_hit_of_projected(index, point, to_light.direction, depth) ||
       depth >= to_light.distance) {
@@ -140,13 +139,14 @@ bool DirectLight::passes_projection(int index, const Vec3& point, const LightDir
 void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirection& to_light,
                                const TracedRay& ray, RGB& color, RayCounts& counts) const {
   ++counts.shadow;
+  const LightNode& light = scene_.lights[index].node();
   double margin = 0;
-  if (!passes_projection(index, point, to_light, margin)) {
+  if (light.projected_through && !passes_projection(index, point, to_light, margin)) {
     color = RGB(0.0f);
     return;
   }
   double remaining = to_light.distance;
-  if (remaining <= kShadowTolerance || scene_.lights[index].node().shadowless) return;
+  if (remaining <= kShadowTolerance || light.shadowless) return;
   const World& world = *scene_.world;
   // Most shadow rays are stopped by something opaque or by nothing.
   if (world.occluded_by_opaque(point, to_light.direction,
@@ -156,7 +156,6 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
   }
   InteriorList interiors = ray.interiors;
   Vec3 origin = point;
-  const LightNode& light = scene_.lights[index].node();
   const bool through_air = light.media_interaction && light.media_attenuation &&
                            scene_.options.quality >= 9 && scene_.atmosphere.has_fog();
   for (;;) {

@@ -15,6 +15,9 @@ constexpr uint32_t kPurposeCrand = 2;
 constexpr uint32_t kPurposeRainbow = 3;
 constexpr uint32_t kPurposeAreaIllumination = 4;
 constexpr uint64_t kEventReflection = 1;
+// A light that adds less than this to a pixel is less than a tenth of an 8-bit code, also in the
+// dark, where the sRGB curve is steepest.
+constexpr float kLeastSeenLight = 1.0f / 32768;
 
 bool is_dark(const RGB& c) {
   return std::abs(c.red) <= kEpsilon && std::abs(c.green) <= kEpsilon &&
@@ -158,16 +161,19 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     if (trans <= bailout) break;
     // The layer's normal and colour.
     Vec3 normal = hit.context.normal;
-    TextureContext context = hit.context;
+    const TextureContext* context = &hit.context;
+    TextureContext bumped;
     if (layer.normal) {
-      normal = layer_normal(layer, frames, point, context);
+      bumped = hit.context;
+      normal = layer_normal(layer, frames, point, bumped);
+      context = &bumped;
     }
     if (!first_layer) {
       first_layer = &layer;
       top_normal = normal;
     }
     ColorRGBFT pigment;
-    const bool found = layer.pigment->evaluate(point, context, pigment);
+    const bool found = layer.pigment->evaluate(point, *context, pigment);
     found_any |= found;
 
     // Without lighting the picture is the pigment.
@@ -176,7 +182,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     } else {
       const FinishNode& finish = layer.finish;
       Reflectivity mirror;
-      if (recursive_ && (!finish.reflection_max.is_black() || !finish.reflection_min.is_black())) {
+      if (layer.is_mirror && recursive_) {
         double relative_ior = 1;
         if (finish.reflection_fresnel) {
           const double ior = hit.interior.ior;
@@ -257,10 +263,7 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
   const RGB emission = base * finish.emission * opacity;
   sum += emission;
   if (observer_) [[unlikely]] report(ray, ContributionKind::emission, filter * emission);
-  if (finish.diffuse == 0 && finish.diffuse_back == 0 && finish.specular == 0 &&
-      finish.phong == 0) {
-    return sum;
-  }
+  if (!layer.is_lit) return sum;
   int place = 0;
   for (const int light : scene_.lights_of(*hit.surface.object)) {
     const RGB direct =
@@ -393,6 +396,39 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
       backside = true;
     }
   }
+  const RGB base = pigment.rgb();
+  const bool may_shine = !node.shadowless && !ray.kind.radiosity;
+  // The share of the light from one direction that goes along the ray.
+  const auto reflected_share = [&](const Vec3& to_light, bool from_behind, uint32_t draw) {
+    const float diffuse = from_behind ? finish.diffuse_back : finish.diffuse;
+    LobeShares shares = lobe_shares(layer, ray.direction, normal, to_light, diffuse, opacity,
+                                    may_shine && !from_behind);
+    if (finish.crand > 0 && diffuse > 0) [[unlikely]] {
+      const uint32_t purpose = kPurposeCrand + 16 * static_cast<uint32_t>(index);
+      shares.diffuse -= finish.crand * static_cast<float>(path_random(ray.path, purpose, draw));
+    }
+    RGB share = shares.diffuse * base;
+    if (shares.highlight != 0) {
+      share += finish.metallic > 0
+                   ? shares.highlight * metallic_tint(finish.metallic, dot(normal, to_light), base)
+                   : RGB(shares.highlight);
+    }
+    return share;
+  };
+  const bool from_each_sample =
+      node.area_illumination && node.area && scene_.options.quality >= 5;
+  RGB share(0.0f);
+  if (!from_each_sample) {
+    share = reflected_share(arriving.direction.direction, backside, 0);
+    // What could not be seen needs no shadow ray (performance.md 2.6).
+    const RGB seen = share * arriving.color;
+    if (!observer_ && finish.irid.amount == 0 &&
+        ray.weight * std::max({std::abs(seen.red), std::abs(seen.green), std::abs(seen.blue)}) <
+            kLeastSeenLight) {
+      return RGB(0.0f);
+    }
+  }
+
   const bool remembers = hit.lights && place < ShadowedLights::kMost;
   if (remembers && hit.lights->is_known[place]) {
     arriving.color = hit.lights->color[place];
@@ -406,28 +442,8 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   if (observer_) [[unlikely]] observer_->light_tested(ray, index, point, arriving.color);
   if (is_dark(arriving.color)) return RGB(0.0f);
 
-  const RGB base = pigment.rgb();
-  const bool may_shine = !node.shadowless && !ray.kind.radiosity;
   RGB sum(0.0f);
-  auto add = [&](const Vec3& to_light, const RGB& light_color, bool from_behind, uint32_t draw) {
-    LobeShares shares = lobe_shares(layer, ray.direction, normal, to_light,
-                                    from_behind ? finish.diffuse_back : finish.diffuse, opacity,
-                                    may_shine && !from_behind);
-    if (finish.crand > 0 && (from_behind ? finish.diffuse_back : finish.diffuse) > 0) {
-      const uint32_t purpose = kPurposeCrand + 16 * static_cast<uint32_t>(index);
-      shares.diffuse -= finish.crand * static_cast<float>(path_random(ray.path, purpose, draw));
-    }
-    sum += shares.diffuse * base * light_color;
-    if (shares.highlight != 0) {
-      RGB shine = shares.highlight * light_color;
-      if (finish.metallic > 0) {
-        shine *= metallic_tint(finish.metallic, dot(normal, to_light), base);
-      }
-      sum += shine;
-    }
-  };
-
-  if (node.area_illumination && node.area && scene_.options.quality >= 5) {
+  if (from_each_sample) {
     // Every grid point lights the surface from its own direction.
     const AreaLightGrid grid(light, point);
     const RGB part = arriving.color * (1.0f / static_cast<float>(node.size1 * node.size2));
@@ -444,11 +460,11 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
           if (finish.diffuse_back == 0) continue;
           behind = true;
         }
-        add(to_sample.direction, part * attenuation, behind, cell);
+        sum += reflected_share(to_sample.direction, behind, cell) * (part * attenuation);
       }
     }
   } else {
-    add(arriving.direction.direction, arriving.color, backside, 0);
+    sum = share * arriving.color;
   }
 
   if (finish.irid.amount > 0) {

@@ -47,6 +47,8 @@ struct TextureLayer {
   bool normal_keeps_length = false;              // no_bump_scale: perturb() gives any length
   FinishNode finish;
   float highlight_exponent = 20;  // 1/roughness
+  bool is_mirror = false;         // the finish reflects rays
+  bool is_lit = true;             // the finish answers to lights
 };
 
 struct CompiledTexture;

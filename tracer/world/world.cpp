@@ -46,6 +46,7 @@ struct ClosestSearch {
   const GeometryRay& ray;
   HitStack& stack;
   double best;
+  double limit = best;  // hits must be nearer than this
   ShapeHit hit{};
   int64_t top = -1;
   uint32_t instance = 0;
@@ -55,11 +56,11 @@ struct ClosestSearch {
     for (const SearchItem& item : list.infinite) test(item);
     list.bvh.visit_ray(
         ray, best,
-        [](void* context, uint32_t first, uint32_t count, double& limit) {
+        [](void* context, uint32_t first, uint32_t count, double& t_max) {
           auto& search = *static_cast<ClosestSearch*>(context);
           const SearchItem* item = search.list.finite.data() + first;
           for (const SearchItem* end = item + count; item < end; ++item) search.test(*item);
-          limit = search.best;
+          t_max = search.best;
           return false;
         },
         this);
@@ -67,13 +68,11 @@ struct ClosestSearch {
 
   void test(const SearchItem& item) {
     if (item.hidden & ray.kind) return;
-    // At equal depths the object that is tested first counts.
-    const double limit = top < 0 ? best : just_beyond(best);
     ShapeHit candidate;
     uint32_t copy = 0;
-    if (item.shape) {
-      if (!meets_shape(item, limit, candidate)) return;
-    } else if (!meets_other(set.objects[item.object], limit, candidate, copy)) {
+    if (item.shape) [[likely]] {
+      if (!meets_shape(item, candidate)) return;
+    } else if (!meets_other(set.objects[item.object], candidate, copy)) {
       return;
     }
     if (candidate.t == best && top >= 0 &&
@@ -83,11 +82,13 @@ struct ClosestSearch {
     }
     hit = candidate;
     best = candidate.t;
+    // At equal depths the object that is tested first counts.
+    limit = just_beyond(best);
     top = item.object;
     instance = copy;
   }
 
-  bool meets_shape(const SearchItem& item, double limit, ShapeHit& candidate) {
+  bool meets_shape(const SearchItem& item, ShapeHit& candidate) {
     bool met;
     if (item.transform < 0) {
       straight.t_max = limit;
@@ -98,12 +99,11 @@ struct ClosestSearch {
       met = item.shape->closest(local, stack, candidate);
     }
     stack.count_test(item.shape_kind, met);
-    if (met) candidate.node = set.objects[item.object].node;
+    candidate.node = item.node;
     return met;
   }
 
-  bool meets_other(const TopLevelObject& object, double limit, ShapeHit& candidate,
-                   uint32_t& copy) {
+  bool meets_other(const TopLevelObject& object, ShapeHit& candidate, uint32_t& copy) {
     if (object.instance >= 0) {
       const Instance& instanced = data.instances[object.instance];
       const ObjectSet& inner_set = data.groups[instanced.group]->set;
@@ -425,9 +425,8 @@ bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& 
 int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t moved_from,
                             int64_t moved_to, int* interiors, int capacity) const {
   int count = 0;
-  for (const TopLevelObject& top : set.objects) {
-    if (count == capacity) break;
-    if (!top.box.contains(point)) continue;
+  const auto ask = [&](const TopLevelObject& top) {
+    if (count == capacity || !top.box.contains(point)) return;
     if (top.instance >= 0) {
       const Instance& copy = data.instances[top.instance];
       const SharedGroup& group = *data.groups[copy.group];
@@ -437,7 +436,33 @@ int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t mov
       const int64_t object = data.geometry.nodes[top.node].object;
       interiors[count++] = data.objects[object - moved_from + moved_to].interior;
     }
+  };
+  // Few objects have the point in their boxes; they are asked in the order of the scene.
+  constexpr size_t kMost = 256;
+  struct Context {
+    const std::vector<SearchItem>& items;
+    uint32_t objects[kMost];
+    size_t count = 0;
+  } near{set.all.finite, {}, 0};
+  for (const SearchItem& item : set.all.infinite) {
+    if (near.count < kMost) near.objects[near.count] = item.object;
+    ++near.count;
   }
+  set.all.bvh.visit_point(
+      point,
+      [](void* data_of_walk, uint32_t position) {
+        auto& found = *static_cast<Context*>(data_of_walk);
+        if (found.count < kMost) found.objects[found.count] = found.items[position].object;
+        ++found.count;
+        return found.count > kMost;
+      },
+      &near);
+  if (near.count > kMost) {
+    for (const TopLevelObject& top : set.objects) ask(top);
+    return count;
+  }
+  std::sort(near.objects, near.objects + near.count);
+  for (size_t i = 0; i < near.count; ++i) ask(set.objects[near.objects[i]]);
   return count;
 }
 

@@ -523,6 +523,7 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
       if (node.kind == NodeKind::shape && !node.clips.count && !node.bounds.count &&
           !top.is_cut_off) {
         item.shape = node.shape;
+        item.node = top.node;
         item.transform = node.transform;
         item.shape_kind = node.shape_kind;
       }

@@ -29,6 +29,7 @@ struct SearchItem {
   const Shape* shape = nullptr;  // of a lone shape, without clips and bounds; null: ask the node
   int32_t transform = -1;        // of that shape, in Geometry::transforms
   uint32_t object = 0;           // position in ObjectSet::objects
+  uint32_t node = 0;             // in Geometry::nodes
   uint8_t hidden = 0;            // RayKind bits
   uint8_t shape_kind = 0;        // of that shape, for statistics: ShapeNode::index()
 };
