@@ -214,19 +214,10 @@ void Bvh::build(const std::vector<Bounds>& boxes) {
 void Bvh::visit_ray(const BvhRay& ray, double t_max, BvhRayVisitor visitor,
                     void* context) const {
   if (nodes_.empty()) return;
-  // Clip to the whole in double, and start there: far origins would lose their digits. NaN (0·∞ in
-  // a face's plane) loses every comparison.
+  // Clip to the whole in double, and start there: far origins would lose their digits.
   double enter = 0, leave = t_max;
   if (!reach_.contains(ray.origin)) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool down = ray.inverse[axis] < 0;
-      const double near = ((down ? reach_.max : reach_.min)[axis] - ray.origin[axis]) *
-                          ray.inverse[axis];
-      const double far = ((down ? reach_.min : reach_.max)[axis] - ray.origin[axis]) *
-                         ray.inverse[axis];
-      enter = near > enter ? near : enter;
-      leave = far < leave ? far : leave;
-    }
+    ray.clip(reach_, enter, leave);
     if (!(enter <= leave * (1 + 1e-12))) return;
   }
   BvhRayQuery query;

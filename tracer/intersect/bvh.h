@@ -3,6 +3,7 @@
 // outward; what lies in them is tested by the caller in double, so nothing here decides a hit.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,12 +21,33 @@ struct alignas(64) BvhNode {
   uint32_t used;  // bit i: slot i holds a box
 };
 
-// A ray with what its walks share: 1/direction, infinite where a component is 0.
+// A ray with what its walks share.
 struct BvhRay {
+  BvhRay(const Vec3& from, const Vec3& along)
+      : origin(from), direction(along), inverse(1.0 / along) {
+    for (int axis = 0; axis < 3; ++axis) is_down[axis] = inverse[axis] < 0;
+  }
+
+  // Narrows the interval [low, high] to the ray's way through a box, perhaps to an empty one.
+  void clip(const Bounds& box, double& low, double& high) const {
+    const double* plane = &box.min.x;
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+      // NaN (0·∞ in a face's plane) loses every comparison. Which face is nearer is looked up by
+      // number: processors cannot guess it.
+      const uint32_t down = 3 * is_down[axis];
+      const double near = (plane[axis + down] - origin[axis]) * inverse[axis];
+      const double far = (plane[axis + 3 - down] - origin[axis]) * inverse[axis];
+      low = near > low ? near : low;
+      high = far < high ? far : high;
+    }
+  }
+
   Vec3 origin;
   Vec3 direction;
-  Vec3 inverse;
+  Vec3 inverse;         // 1/direction, infinite where a component is 0
+  uint32_t is_down[3];  // 1 where the ray goes down an axis
 };
+static_assert(offsetof(Bounds, max) == sizeof(Vec3));
 
 // Tests one leaf's items: `count` positions from `first` on in items(). May lower t_max; returns
 // true to end the walk.

@@ -15,14 +15,7 @@ double just_beyond(double t) { return std::nextafter(t, HUGE_VAL); }
 // Narrows an interval to a ray's way through a box; false: nothing is left.
 bool clip_to(const Bounds& box, const BvhRay& ray, Interval& interval) {
   double low = interval.min, high = interval.max;
-  for (int axis = 0; axis < 3; ++axis) {
-    // NaN (0·∞ in a face's plane) loses every comparison.
-    const bool down = ray.inverse[axis] < 0;
-    const double near = ((down ? box.max : box.min)[axis] - ray.origin[axis]) * ray.inverse[axis];
-    const double far = ((down ? box.min : box.max)[axis] - ray.origin[axis]) * ray.inverse[axis];
-    low = near > low ? near : low;
-    high = far < high ? far : high;
-  }
+  ray.clip(box, low, high);
   if (!(low <= high * (1 + 1e-12))) return false;
   interval.min = low * (1 - 1e-12);
   interval.max = high * (1 + 1e-12);
@@ -216,7 +209,7 @@ bool Geometry::member_hits(const GeometryNode& node, uint32_t child, const Geome
   if (!takes_part(node, member, ray.kind)) return true;
   const bool narrows = member.narrows && node.kind == NodeKind::intersection;
   Interval reach = interval;
-  if (member.surface_is_bounded && !clip_to(member.reach, ray, reach)) return !narrows;
+  if (member.is_boxed && !clip_to(member.reach, ray, reach)) return !narrows;
   if (member.bounds.count && !passes_bounds(member, ray, stack)) return true;
   const size_t base = stack.size();
   all_hits(child, ray, interval, stack);
@@ -255,14 +248,14 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& 
     return;
   }
   Interval interval = wanted;
-  if (node.surface_is_bounded && !clip_to(node.reach, ray, interval)) return;
+  if (node.is_boxed && !clip_to(node.reach, ray, interval)) return;
   const size_t start = stack.size();
   if (node.kind == NodeKind::union_ && node.clips.count == 0) {
     for_each_child_met(node, ray, interval, [&](uint32_t child) {
       const GeometryNode& member = nodes[child];
       Interval reach = interval;
       if (!takes_part(node, member, ray.kind)) return true;
-      if (member.surface_is_bounded && !clip_to(member.reach, ray, reach)) return true;
+      if (member.is_boxed && !clip_to(member.reach, ray, reach)) return true;
       if (member.bounds.count && !passes_bounds(member, ray, stack)) return true;
       all_hits(child, ray, interval, stack);
       return true;
@@ -340,7 +333,7 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
   constexpr size_t kMost = 64;
   uint32_t member[kMost];
   Interval interval{kLeastHitDepth, t_max};
-  if (node.surface_is_bounded && !clip_to(node.reach, ray, interval)) return false;
+  if (node.is_boxed && !clip_to(node.reach, ray, interval)) return false;
   const size_t base = stack.size();
   bool missed = false, overflowed = false;
   for_each_child_met(node, ray, interval, [&](uint32_t child) {
@@ -420,6 +413,16 @@ void Geometry::finish_node(uint32_t index) {
   node.reach = {node.surface.min - margin, node.surface.max + margin};
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
+  // A sphere or box in place is met or missed as fast as its bounds; so is an intersection that
+  // starts with one.
+  const auto is_quick = [](const GeometryNode& n) {
+    return n.kind == NodeKind::shape && n.transform < 0 && n.shape->is_quickly_missed();
+  };
+  node.is_boxed = node.surface_is_bounded && !is_quick(node);
+  if (node.kind == NodeKind::intersection && node.children.count > 0 && node.tree < 0) {
+    const GeometryNode& first = nodes[lists[node.children.first]];
+    node.is_boxed &= !(first.narrows && is_quick(first));
+  }
 }
 
 void Geometry::enclose(uint32_t index) {

@@ -31,6 +31,7 @@ struct GeometryNode {
   bool is_opaque = false;       // stops light whatever happens
   bool csg_child = false;
   bool narrows = false;         // a convex solid: an intersection with it lies within its hits
+  bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
   bool has_object = true;       // false: a light without looks_like takes no part in inside tests
   // Outside `surface` the node contains all points (true) or none (false); where it is bounded.
@@ -55,7 +56,7 @@ struct ChildTree {
 struct GeometryRay : BvhRay {
   // Parameters are world distances; `unit`: the direction is of length 1 (not inside instances).
   GeometryRay(const Vec3& from, const Vec3& along, uint8_t ray_kind, bool is_unit = true)
-      : BvhRay{from, along, 1.0 / along}, kind(ray_kind), unit(is_unit) {}
+      : BvhRay(from, along), kind(ray_kind), unit(is_unit) {}
 
   uint8_t kind;  // RayKind bits
   bool unit;

@@ -238,7 +238,7 @@ class Mesh final : public Shape {
       const std::vector<uint32_t>& faces;
     } context{visit, bvh_.items()};
     bvh_.visit_ray(
-        {ray.origin, ray.direction, 1.0 / ray.direction}, max_depth,
+        {ray.origin, ray.direction}, max_depth,
         [](void* data, uint32_t first, uint32_t count, double& limit) {
           auto& c = *static_cast<Context*>(data);
           for (uint32_t i = first; i < first + count; ++i) c.visit(c.faces[i], false, limit);

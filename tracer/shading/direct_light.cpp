@@ -150,7 +150,7 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
   const World& world = *scene_.world;
   // Most shadow rays are stopped by something opaque or by nothing.
   if (world.occluded_by_opaque(point, to_light.direction,
-                               remaining - std::max(margin, kShadowTolerance))) {
+                               remaining - std::max(margin, kShadowTolerance), index)) {
     color = RGB(0.0f);
     return;
   }

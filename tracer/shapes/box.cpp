@@ -67,6 +67,7 @@ class Box final : public Shape {
   }
   bool is_exempt_from_box_test() const override { return true; }
   bool is_convex_solid() const override { return true; }
+  bool is_quickly_missed() const override { return true; }
 
  private:
 

@@ -3,6 +3,7 @@
 // registry.cpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -49,6 +50,16 @@ class HitStack {
 
   uint32_t owner = 0;  // the node whose shape pushes at present
   ShapeTestCounts shape_tests{};  // of this thread
+  // What stopped the last shadow ray towards each of some lights is likely to stop the next one:
+  // positions in the list of opaque casters, kNoOccluder where nothing did.
+  static constexpr uint32_t kNoOccluder = 0xffffffffu;
+  std::array<uint32_t, 16> last_occluder = no_occluders();
+
+  static std::array<uint32_t, 16> no_occluders() {
+    std::array<uint32_t, 16> none;
+    none.fill(kNoOccluder);
+    return none;
+  }
 
   void count_test(uint8_t shape_kind, bool hit) {
     ++shape_tests[shape_kind].tests;
@@ -97,6 +108,8 @@ class Shape {
   // Convex, and the surface is closed: a line meets it where it enters and where it leaves the
   // inside, and nowhere else.
   virtual bool is_convex_solid() const { return false; }
+  // Looking for hits costs no more than a test of bounds().
+  virtual bool is_quickly_missed() const { return false; }
   // No inside, not invertible (spec/geometry.md 13).
   virtual bool is_patch() const { return false; }
   // clipped_by only installs its box (spec/geometry.md 13.6).

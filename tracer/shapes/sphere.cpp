@@ -84,6 +84,7 @@ class Sphere final : public Shape {
   }
   bool is_exempt_from_box_test() const override { return true; }
   bool is_convex_solid() const override { return true; }
+  bool is_quickly_missed() const override { return true; }
 
  private:
   // Both depths in normalised local space; returns world distance per unit, 0 for a miss.

@@ -133,20 +133,33 @@ struct OcclusionSearch {
   double max_t;
   ShapeRay straight = shape_ray(ray, nullptr);
   bool blocked = false;
+  uint32_t blocker = HitStack::kNoOccluder;  // position in the list's finite ones
+
+  // The object that stopped the ray before is asked first.
+  bool run_with_hint(uint32_t& last) {
+    const SearchList& list = set.opaque_casters();
+    straight.t_max = max_t;
+    if (last < list.finite.size() && blocks(list.finite[last])) return true;
+    run();
+    last = blocker;
+    return blocked;
+  }
 
   bool run() {
     const SearchList& list = set.opaque_casters();
     straight.t_max = max_t;
     for (const SearchItem& item : list.infinite) {
-      if (blocks(item)) return true;
+      if (blocks(item)) return blocked = true;
     }
     list.bvh.visit_ray(
         ray, max_t,
         [](void* context, uint32_t first, uint32_t count, double&) {
           auto& search = *static_cast<OcclusionSearch*>(context);
-          const SearchItem* item = search.set.opaque_casters().finite.data() + first;
-          for (const SearchItem* end = item + count; item < end; ++item) {
-            if (search.blocks(*item)) return search.blocked = true;
+          const SearchItem* items = search.set.opaque_casters().finite.data();
+          for (uint32_t i = first; i < first + count; ++i) {
+            if (!search.blocks(items[i])) continue;
+            search.blocker = i;
+            return search.blocked = true;
           }
           return false;
         },
@@ -217,7 +230,10 @@ struct World::Impl {
                  int* interiors, int capacity) const;
 };
 
-ShapeTestCounts take_shape_tests() { return std::exchange(scratch().shape_tests, {}); }
+ShapeTestCounts take_shape_tests() {
+  scratch().last_occluder = HitStack::no_occluders();
+  return std::exchange(scratch().shape_tests, {});
+}
 
 World::World() : impl_(std::make_unique<Impl>()) {}
 World::~World() = default;
@@ -400,11 +416,13 @@ void World::set_opaque_textures(std::vector<bool> opaque) {
   impl_->mark_opaque(impl_->data.scene);
 }
 
-bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction,
-                               double max_t) const {
+bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
+                               int light) const {
   const WorldData& data = impl_->data;
   const GeometryRay ray(origin, unit_direction, kShadowRay);
-  return OcclusionSearch{data, data.scene, ray, scratch(), max_t}.run();
+  HitStack& stack = scratch();
+  uint32_t& last = stack.last_occluder[static_cast<size_t>(light) % stack.last_occluder.size()];
+  return OcclusionSearch{data, data.scene, ray, stack, max_t}.run_with_hint(last);
 }
 
 bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,

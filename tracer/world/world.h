@@ -135,7 +135,9 @@ class World {
                      SurfacePoint& out) const;
   // True if an object whose textures are all opaque (see set_opaque_textures) and which casts
   // shadows lies at 1e-3 < t < max_t. Objects that let light through: closest_clear_hit.
-  bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t) const;
+  // `light`: a hint, rays towards one light are often stopped by one object.
+  bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
+                          int light) const;
   // The nearest hit, 1e-4 <= t < max_t, of a shadow ray with the objects that are left out above.
   bool closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
                          Hit& hit) const;
@@ -162,7 +164,8 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
-// What the calling thread tested since it asked last.
+// What the calling thread tested since it asked last. Hints start anew, so that counts do not depend
+// on what the thread did before.
 ShapeTestCounts take_shape_tests();
 
 // One object handle compiled for the language's questions (geometry.md 10); cached by the caller.
