@@ -334,6 +334,10 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
   uint32_t member[kMost];
   Interval interval{kLeastHitDepth, t_max};
   if (node.is_boxed && !clip_to(node.reach, ray, interval)) return false;
+  if (node.is_swept) {
+    const Sweep sweep = sweep_convex_solids(node, ray, t_max, stack, hit);
+    if (sweep != Sweep::doubtful) return sweep == Sweep::met;
+  }
   const size_t base = stack.size();
   bool missed = false, overflowed = false;
   for_each_child_met(node, ray, interval, [&](uint32_t child) {
@@ -413,6 +417,7 @@ void Geometry::finish_node(uint32_t index) {
   node.reach = {node.surface.min - margin, node.surface.max + margin};
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
+  node.is_swept = is_of_convex_solids(node);
   // A sphere or box in place is met or missed as fast as its bounds; so is an intersection that
   // starts with one.
   const auto is_quick = [](const GeometryNode& n) {

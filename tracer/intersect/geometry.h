@@ -31,6 +31,7 @@ struct GeometryNode {
   bool is_opaque = false;       // stops light whatever happens
   bool csg_child = false;
   bool narrows = false;         // a convex solid: an intersection with it lies within its hits
+  bool is_swept = false;        // an intersection for sweep_convex_solids()
   bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
   bool has_object = true;       // false: a light without looks_like takes no part in inside tests
@@ -105,6 +106,11 @@ class Geometry {
   void shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stack) const;
   bool closest_of_union(const GeometryNode& node, const GeometryRay& ray, double t_max,
                         HitStack& stack, ShapeHit& hit) const;
+  // convex_csg.cpp
+  enum class Sweep : uint8_t { missed, met, doubtful };
+  bool is_of_convex_solids(const GeometryNode& node) const;
+  Sweep sweep_convex_solids(const GeometryNode& node, const GeometryRay& ray, double t_max,
+                            HitStack& stack, ShapeHit& hit) const;
   bool closest_of_composite(const GeometryNode& node, const GeometryRay& ray, double t_max,
                             HitStack& stack, ShapeHit& hit) const;
   bool member_hits(const GeometryNode& node, uint32_t child, const GeometryRay& ray,

@@ -19,6 +19,7 @@ class Plane final : public Shape {
   std::shared_ptr<const Shape> inverted() const override;
   bool takes_inverse_mark() const override { return false; }
   bool is_exempt_from_box_test() const override { return true; }
+  bool is_half_space() const override { return true; }
 
   const Vec3& unit_normal() const { return normal_; }
   double distance() const { return distance_; }

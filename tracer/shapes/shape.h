@@ -108,6 +108,8 @@ class Shape {
   // Convex, and the surface is closed: a line meets it where it enters and where it leaves the
   // inside, and nowhere else.
   virtual bool is_convex_solid() const { return false; }
+  // All points on one side of a plane.
+  virtual bool is_half_space() const { return false; }
   // Looking for hits costs no more than a test of bounds().
   virtual bool is_quickly_missed() const { return false; }
   // No inside, not invertible (spec/geometry.md 13).
