@@ -333,11 +333,11 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
   constexpr size_t kMost = 64;
   uint32_t member[kMost];
   Interval interval{kLeastHitDepth, t_max};
-  if (node.is_boxed && !clip_to(node.reach, ray, interval)) return false;
   if (node.is_swept) {
     const Sweep sweep = sweep_convex_solids(node, ray, t_max, stack, hit);
     if (sweep != Sweep::doubtful) return sweep == Sweep::met;
   }
+  if (node.is_boxed && !clip_to(node.reach, ray, interval)) return false;
   const size_t base = stack.size();
   bool missed = false, overflowed = false;
   for_each_child_met(node, ray, interval, [&](uint32_t child) {
