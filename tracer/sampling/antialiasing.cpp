@@ -1,5 +1,6 @@
 #include "tracer/sampling/antialiasing.h"
 
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -18,6 +19,13 @@ PixelColor scaled(const PixelColor& c, float factor) {
   return {c.color * factor, c.transmit * factor};
 }
 
+// Values from 2^-20 to 16 by their exponent and the first six bits of their mantissa.
+constexpr uint32_t kStepShift = 23 - 6;
+constexpr uint32_t kFirstStep = (127u - 20) << 6;
+constexpr uint32_t kLastStep = (127u + 4) << 6;
+// What sums of rounded bounds may lack.
+constexpr double kRounding = 1e-5;
+
 bool inside(const PixelWindow& window, int x, int y) {
   return x >= window.left && x < window.right && y >= window.top && y < window.bottom;
 }
@@ -34,6 +42,9 @@ SampleContrast::SampleContrast(const Scene& scene, const RenderOptions& options)
   if (options.antialias_gamma <= 0 || std::abs(options.antialias_gamma - 1) <= 0.01) {
     encode_exponent_ = 1;
   }
+  for (uint32_t i = kFirstStep; i <= kLastStep; ++i) {
+    steps_.push_back(encode(std::bit_cast<float>(i << kStepShift)));
+  }
 }
 
 float SampleContrast::encode(float value) const {
@@ -45,9 +56,35 @@ float SampleContrast::encode(float value) const {
   return encode_exponent_ == 1 ? value : std::pow(std::max(value, 0.0f), encode_exponent_);
 }
 
+SampleContrast::Range SampleContrast::encoded_range(float value) const {
+  const uint32_t step = std::bit_cast<uint32_t>(value) >> kStepShift;
+  // Also negative values and those that are not numbers end here.
+  if (step - kFirstStep >= kLastStep - kFirstStep) [[unlikely]] {
+    const float exact = encode(value);
+    return {exact, exact};
+  }
+  return {steps_[step - kFirstStep], steps_[step - kFirstStep + 1]};
+}
+
 bool SampleContrast::differ(const PixelColor& a, const PixelColor& b) const {
+  const double transmit = std::abs(a.transmit - b.transmit);
+  if (a.color == b.color) return transmit >= threshold_;
+  double least = transmit, most = transmit;
+  for (const auto channel : {&RGB::red, &RGB::green, &RGB::blue}) {
+    const Range first = encoded_range(a.color.*channel), second = encoded_range(b.color.*channel);
+    const float up = second.high - first.low, down = first.high - second.low;
+    most += up > down ? up : down;
+    const float gap_up = second.low - first.high, gap_down = first.low - second.high;
+    const float gap = gap_up > gap_down ? gap_up : gap_down;
+    least += gap > 0 ? gap : 0;
+  }
+  if (least >= threshold_ + kRounding) return true;
+  if (most < threshold_ - kRounding) return false;
+  return differ_exactly(a, b);
+}
+
+bool SampleContrast::differ_exactly(const PixelColor& a, const PixelColor& b) const {
   double difference = std::abs(a.transmit - b.transmit);
-  if (a.color == b.color) return difference >= threshold_;
   difference += std::abs(encode(a.color.red) - encode(b.color.red));
   difference += std::abs(encode(a.color.green) - encode(b.color.green));
   difference += std::abs(encode(a.color.blue) - encode(b.color.blue));

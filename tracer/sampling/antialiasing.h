@@ -1,6 +1,8 @@
 // POV-Ray's antialiasing methods on one block of pixels (spec/shading.md 5).
 #pragma once
 
+#include <vector>
+
 #include "tracer/sampling/pixel_sampler.h"
 
 namespace durer {
@@ -12,12 +14,22 @@ class SampleContrast {
   bool differ(const PixelColor& a, const PixelColor& b) const;
 
  private:
+  // Bounds of an encoded value.
+  struct Range {
+    float low, high;
+  };
+
   float encode(float value) const;
+  Range encoded_range(float value) const;
+  bool differ_exactly(const PixelColor& a, const PixelColor& b) const;
 
   AssumedGamma gamma_kind_;
   float decode_exponent_;  // of the working space; 1: linear
   float encode_exponent_;  // 1/antialias gamma; 1: none
   double threshold_;
+  // The curve, which rises, at the values that share their exponent and first bits of the mantissa:
+  // most samples are told apart by bounds alone.
+  std::vector<float> steps_;
 };
 
 // Renders a block into the framebuffer; of pixels outside `window` nothing is written.
