@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "parser/arithmetic.h"
 #include "parser/parser_state.h"
 #include "tracer/math/transform.h"
 #include "tracer/scene/object.h"
@@ -11,13 +12,6 @@ namespace durer {
 namespace {
 
 constexpr double kEpsilon = 1e-10;
-constexpr double kPi = 3.14159265358979323846;
-
-// The integer that a 32-bit conversion instruction gives: the least one for what does not fit.
-int32_t to_int(double number) {
-  if (!(number > -2147483649.0 && number < 2147483648.0)) return std::numeric_limits<int32_t>::min();
-  return static_cast<int32_t>(number);
-}
 
 double days_since_2000() {
   using std::chrono::microseconds;
@@ -181,8 +175,8 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       return number(keyword == Keyword::ln ? std::log(value) : std::log10(value));
     }
     case Keyword::int_: return number(to_int(one()));
-    case Keyword::degrees: return number(one() / (kPi / 180.0));
-    case Keyword::radians: return number(one() * (kPi / 180.0));
+    case Keyword::degrees: return number(one() / kDegree);
+    case Keyword::radians: return number(one() * kDegree);
     case Keyword::rand: return number(next_random(one()));
     case Keyword::seed: return number(new_random_stream(one()));
 
@@ -322,7 +316,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       const double degrees = parse_float();
       expect(Symbol::paren_close);
       const Vec3 axis = b / std::sqrt(dot(b, b));
-      return vector(Transform::axis_rotation(axis, degrees * (kPi / 180.0)).point(a));
+      return vector(Transform::axis_rotation(axis, degrees * kDegree).point(a));
     }
     case Keyword::vturbulence: {
       open();

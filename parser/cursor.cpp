@@ -31,6 +31,7 @@ void Parser::State::seek(Frame& frame, uint32_t offset) {
     ++page->pins;
     frame.page = page;
   }
+  ++page->returns;
   const Token* begin = page->tokens.data();
   frame.page_end = begin + page->tokens.size();
   frame.at = std::lower_bound(begin, frame.page_end, offset,

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "parser/arithmetic.h"
 #include "parser/parser_state.h"
 #include "tracer/math/spline.h"
 #include "tracer/scene/function.h"
 
 namespace durer {
 namespace {
-
-constexpr double kEpsilon = 1e-10;
 
 // The narrower operand grows to the wider one; `right` may be promoted, too.
 inline int common_width(Terms& left, Terms& right) {
@@ -21,38 +20,10 @@ inline int common_width(Terms& left, Terms& right) {
   return left.count;
 }
 
-// Not further apart than the tolerance; NaN is the same as everything.
-bool same(double a, double b) { return !(std::fabs(a - b) > kEpsilon); }
-
-bool holds(Symbol comparison, double a, double b) {
-  switch (comparison) {
-    case Symbol::less: return a < b;
-    case Symbol::less_equal: return a <= b || same(a, b);
-    case Symbol::equal: return same(a, b);
-    case Symbol::not_equal: return !same(a, b);
-    case Symbol::greater_equal: return a >= b || same(a, b);
-    default: return a > b;
-  }
-}
-
-bool is_comparison(const Token& token) {
-  if (token.kind != TokenKind::symbol) return false;
-  switch (token.symbol) {
-    case Symbol::less:
-    case Symbol::less_equal:
-    case Symbol::equal:
-    case Symbol::not_equal:
-    case Symbol::greater_equal:
-    case Symbol::greater:
-      return true;
-    default:
-      return false;
-  }
-}
-
 }  // namespace
 
 void Parser::State::parse_parameter(Terms& out, int width) {
+  if (evaluate_compiled(out, width, ExpressionLevel::sum)) return;
   if (language_version < 150) {
     parse_factor(out, width);
   } else {
@@ -119,7 +90,7 @@ void Parser::State::parse_factor(Terms& out, int width) {
         directives_live = true;
         parse_factor(out, width);
         for (int i = 0; i < out.count; ++i) {
-          out.v[i] = negate ? -out.v[i] : (std::fabs(out.v[i]) > kEpsilon ? 0.0 : 1.0);
+          out.v[i] = negate ? -out.v[i] : (is_true(out.v[i]) ? 0.0 : 1.0);
         }
         goto operand_complete;
       }
@@ -286,13 +257,14 @@ void Parser::State::parse_logical(Terms& out, int width) {
     parse_relation(right, out.count);
     const int n = common_width(out, right);
     for (int i = 0; i < n; ++i) {
-      const bool a = std::fabs(out.v[i]) > kEpsilon, b = std::fabs(right.v[i]) > kEpsilon;
+      const bool a = is_true(out.v[i]), b = is_true(right.v[i]);
       out.v[i] = (both ? a && b : a || b) ? 1.0 : 0.0;
     }
   }
 }
 
 void Parser::State::parse_express(Terms& out, int width) {
+  if (evaluate_compiled(out, width, ExpressionLevel::express)) return;
   parse_logical(out, width);
   if (!peek().is(Symbol::question)) return;
   // A float that was replicated into the context is still one condition.
@@ -306,7 +278,7 @@ void Parser::State::parse_express(Terms& out, int width) {
   parse_express(out, width);
   expect(Symbol::colon);
   parse_express(no, width);
-  if (!(std::fabs(condition) > kEpsilon)) out = no;
+  if (!is_true(condition)) out = no;
 }
 
 double Parser::State::parse_float() {

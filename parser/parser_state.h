@@ -204,6 +204,17 @@ struct Parser::State {
   void parse_relation(Terms& out, int width);
   void parse_member(Terms& out);
   void parse_parameter(Terms& out, int width);  // `sum`, or `factor` before version 1.5
+  // For expressions that are read again and again (compiled_expression.h): the value, everything
+  // consumed; false: nothing has happened.
+  bool evaluate_compiled(Terms& out, int width, ExpressionLevel level);
+  CompiledExpression* compiled_at(const Token*& first, int width, ExpressionLevel level);
+  std::unique_ptr<CompiledExpression> compile_expression(const TokenPage& page, size_t first,
+                                                         int width, ExpressionLevel level) const;
+  bool run(CompiledExpression& code);
+  const Value* plain_value(Name name) const;
+  const Value* plain_element(const CompiledExpression::Step& step, const double* registers,
+                             ValueKind kind) const;
+  void pass_tokens(const Token* first, uint32_t count);
   double parse_float();
   double parse_float_express();
   Vec2 parse_uv();

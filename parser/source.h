@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "parser/compiled_expression.h"
 #include "parser/names.h"
 #include "parser/token.h"
 
@@ -17,7 +18,9 @@ struct TokenPage {
   uint32_t end = 0;
   uint32_t pins = 0;   // frames that read from it now
   uint64_t last_used = 0;
+  uint32_t returns = 0;  // how often reading began somewhere in it: loops, macro calls
   std::vector<Token> tokens;  // the last page of a file ends with end_of_file
+  std::unique_ptr<ExpressionCache> expressions;  // of pages that are read again and again
 };
 
 class SourceFile : public std::enable_shared_from_this<SourceFile> {
