@@ -45,13 +45,6 @@ class RandomUndo {
 
 }  // namespace
 
-// What the name stands for if reading it needs no message; null otherwise.
-inline const Value* Parser::State::plain_value(Name name) const {
-  const Entry* entry = symbols.find(name);
-  if (!entry || entry->deprecation) return nullptr;
-  return entry->alias ? target_of(*entry) : &entry->value;
-}
-
 const Value* Parser::State::plain_element(const Step& step, const double* r, ValueKind kind) const {
   const Value* value = plain_value(step.name);
   if (!value || value->kind() != ValueKind::array) return nullptr;
@@ -241,23 +234,29 @@ bool Parser::State::run(CompiledExpression& code) {
   return true;
 }
 
-CompiledExpression* Parser::State::compiled_at(const Token*& first, int width,
-                                               ExpressionLevel level) {
+// The token that comes next, where it stands in its page; null if more has been read already than
+// this one, or if it is the first of the page to come.
+const Token* Parser::State::next_raw() const {
   const Frame& frame = frames.back();
-  TokenPage& page = *frame.page;
-  if (page.returns < kReturnsBeforeCaching || ahead == kDeferred || !resolve_elements ||
-      waiting_switches > 0 || language_version < 150) {
+  if (ahead == kNothing) return frame.at == frame.page_end ? nullptr : frame.at;
+  // Elements have been read with their subscripts.
+  if (ahead == kDeferred || (look.is_element && look.token.kind == TokenKind::identifier) ||
+      frame.at == frame.page->tokens.data()) {
     return nullptr;
   }
-  first = frame.at;
-  if (ahead == kToken) {
-    // Elements have been read with their subscripts already.
-    if (look.token.kind == TokenKind::identifier && look.is_element) return nullptr;
-    if (first == page.tokens.data()) return nullptr;
-    --first;
-    if (first->offset != look.token.offset || last_file != frame.file.get()) return nullptr;
+  const Token* token = frame.at - 1;
+  return token->offset == look.token.offset && last_file == frame.file.get() ? token : nullptr;
+}
+
+CompiledExpression* Parser::State::compiled_at(const Token*& first, int width,
+                                               ExpressionLevel level) {
+  TokenPage& page = *frames.back().page;
+  if (page.returns < kReturnsBeforeCaching || !resolve_elements || waiting_switches > 0 ||
+      language_version < 150) {
+    return nullptr;
   }
-  if (first == frame.page_end) return nullptr;
+  first = next_raw();
+  if (!first) return nullptr;
   if (!page.expressions) {
     page.expressions = std::make_unique<ExpressionCache>();
     page.expressions->places.resize(page.tokens.size());
@@ -297,10 +296,10 @@ void Parser::State::pass_tokens(const Token* first, uint32_t count) {
   behind_last = false;
 }
 
-bool Parser::State::evaluate_compiled(Terms& out, int width, ExpressionLevel level) {
+bool Parser::State::evaluate_compiled(Terms& out, int width, ExpressionLevel level, Alone alone) {
   const Token* first = nullptr;
   CompiledExpression* const code = compiled_at(first, width, level);
-  if (!code) return false;
+  if (!code || (alone == Alone::reference && code->is_identifier)) return false;
   if (!run(*code)) {
     if (++code->misses == kMostMisses) {
       // For the kinds that its variables have now; the old code stays where it is, unused.

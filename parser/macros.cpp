@@ -1,5 +1,6 @@
 // #macro and macro calls (spec/language.md 14). A body is replayed from its cached tokens.
-#include <optional>
+#include <memory>
+#include <vector>
 
 #include "parser/parser_state.h"
 
@@ -20,6 +21,31 @@ bool has_optional_parameter(const Macro& macro, const NameTable& names) {
   }
   return false;
 }
+
+// Most macros have few parameters: no allocation for those.
+template <typename Argument>
+class ArgumentList {
+ public:
+  explicit ArgumentList(size_t count) : count_(count) {
+    if (count > kFew) many_.resize(count);
+    items_ = count > kFew ? many_.data() : reinterpret_cast<Argument*>(few_);
+    if (count <= kFew) std::uninitialized_default_construct_n(items_, count);
+  }
+  ~ArgumentList() {
+    if (count_ <= kFew) std::destroy_n(items_, count_);
+  }
+  ArgumentList(const ArgumentList&) = delete;
+  ArgumentList& operator=(const ArgumentList&) = delete;
+
+  Argument& operator[](size_t i) { return items_[i]; }
+
+ private:
+  static constexpr size_t kFew = 6;
+  size_t count_;
+  Argument* items_;
+  std::vector<Argument> many_;
+  alignas(Argument) std::byte few_[kFew * sizeof(Argument)];
+};
 
 }  // namespace
 
@@ -66,15 +92,7 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
   const NestingScope deeper(*this);
   const uint32_t call = last_offset;
   const size_t count = macro->parameters.size();
-  // Most macros have few parameters: no allocation for those.
-  constexpr size_t kInline = 6;
-  RightSide few[kInline];
-  std::vector<RightSide> many;
-  RightSide* arguments = few;
-  if (count > kInline) {
-    many.resize(count);
-    arguments = many.data();
-  }
+  ArgumentList<RightSide> arguments(count);
   // Arguments are numbers or blocks: directives between operands are not executed.
   ahead = kNothing;
   {

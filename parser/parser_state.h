@@ -183,6 +183,7 @@ struct Parser::State {
   // ---- values.cpp -----------------------------------------------------------------------------
   // A #declare's right-hand side, a macro argument or an array element.
   void parse_right_side(RightSide& result, const char* what);
+  bool take_numeric_identifier(RightSide& result);
   Value parse_array();
   void parse_array_level(Array& array, int dimension, int64_t& index);
   // Reads all subscripts that follow: into the array, into the array in that element ...
@@ -206,12 +207,20 @@ struct Parser::State {
   void parse_parameter(Terms& out, int width);  // `sum`, or `factor` before version 1.5
   // For expressions that are read again and again (compiled_expression.h): the value, everything
   // consumed; false: nothing has happened.
-  bool evaluate_compiled(Terms& out, int width, ExpressionLevel level);
+  // A variable alone is no value where it would be passed by reference.
+  enum class Alone : uint8_t { value, reference };
+  bool evaluate_compiled(Terms& out, int width, ExpressionLevel level, Alone alone = Alone::value);
   CompiledExpression* compiled_at(const Token*& first, int width, ExpressionLevel level);
   std::unique_ptr<CompiledExpression> compile_expression(const TokenPage& page, size_t first,
                                                          int width, ExpressionLevel level) const;
+  const Token* next_raw() const;
   bool run(CompiledExpression& code);
-  const Value* plain_value(Name name) const;
+  // What the name stands for if reading it needs no message; null otherwise.
+  const Value* plain_value(Name name) const {
+    const Entry* entry = symbols.find(name);
+    if (!entry || entry->deprecation) return nullptr;
+    return entry->alias ? target_of(*entry) : &entry->value;
+  }
   const Value* plain_element(const CompiledExpression::Step& step, const double* registers,
                              ValueKind kind) const;
   void pass_tokens(const Token* first, uint32_t count);

@@ -45,9 +45,11 @@ void SymbolTable::unlink(Entry& entry) {
   if (*link) *link = entry.shadowed;
 }
 
-void SymbolTable::make_alias(Entry& entry, Reference target) {
+void SymbolTable::make_alias(Entry& entry, const Reference& target) {
   ++target.entry->references;
-  entry.alias = std::make_unique<Reference>(std::move(target));
+  if (!entry.alias_memory) entry.alias_memory = std::make_unique<Reference>();
+  entry.alias = entry.alias_memory.get();
+  *entry.alias = target;
 }
 
 void SymbolTable::release(Entry* entry) {
@@ -55,7 +57,7 @@ void SymbolTable::release(Entry* entry) {
   entry->deprecation.reset();
   if (entry->alias) {
     Entry* target = entry->alias->entry;
-    entry->alias.reset();
+    entry->alias = nullptr;
     drop(*target);
   }
   if (entry->references == 0) free_.push_back(entry);

@@ -39,7 +39,8 @@ struct Entry {
   uint32_t references = 0;  // aliases of this entry; keeps a dead one from being reused
   bool live = true;
   Entry* shadowed = nullptr;
-  std::unique_ptr<Reference> alias;  // set: this entry stands for that variable
+  Reference* alias = nullptr;  // set: this entry stands for that variable
+  std::unique_ptr<Reference> alias_memory;  // kept for the next entry in this place
   std::unique_ptr<Deprecation> deprecation;
 };
 
@@ -56,7 +57,7 @@ class SymbolTable {
   Entry& add(Name name, uint32_t scope);
   // Removes a visible entry; aliases of it die with it.
   void remove(Entry& entry);
-  void make_alias(Entry& entry, Reference target);
+  void make_alias(Entry& entry, const Reference& target);
   // Keeps an entry from being reused while somebody looks whether it stays alive.
   static void hold(Entry& entry) { ++entry.references; }
   void drop(Entry& entry) {

@@ -37,9 +37,42 @@ Value Parser::State::to_value(const Terms& terms) {
   }
 }
 
+// A number's name alone is what macros are called with most.
+bool Parser::State::take_numeric_identifier(RightSide& result) {
+  if (waiting_switches > 0 || !resolve_elements || language_version < 350) return false;
+  const Token* const name = next_raw();
+  if (!name || name->kind != TokenKind::identifier || frames.back().page_end - name < 2) return false;
+  if (!name[1].is(Symbol::comma) && !name[1].is(Symbol::paren_close) &&
+      !name[1].is(Symbol::semicolon)) {
+    return false;
+  }
+  const Value* value = plain_value(name->name);
+  if (!value || !value->is_numeric()) return false;
+  Entry* const entry = symbols.find(name->name);
+  if (entry->alias) {
+    result.reference = *entry->alias;
+  } else {
+    result.reference.entry = entry;
+  }
+  result.value = *value;
+  result.is_reference = true;
+  result.numeric = true;
+  pass_tokens(name, 1);
+  return true;
+}
+
 // The caller has switched directives off; operands and blocks switch them on for themselves.
 void Parser::State::parse_right_side(RightSide& result, const char* what) {
   const NestingScope deeper(*this);
+  if (take_numeric_identifier(result)) return;
+  if (language_version >= 350) {
+    Terms terms;
+    if (evaluate_compiled(terms, 1, ExpressionLevel::sum, Alone::reference)) {
+      result.value = to_value(terms);
+      result.numeric = true;
+      return;
+    }
+  }
   // The first token is read live: a macro or directive may come before the value.
   {
     const FlagScope on(directives_live, true);

@@ -89,28 +89,45 @@ ObjectPtr ObjectBuilder::close(const char* what) {
 }
 
 bool ObjectBuilder::accept_modifier() {
-  Transform transform;
-  if (accept_transformation(parser_, transform)) {
-    add(transform);
-    return true;
+  const Token& token = parser_.peek();
+  if (token.kind == TokenKind::keyword) {
+    const Keyword keyword = token.keyword;
+    switch (keyword) {
+      case Keyword::translate:
+      case Keyword::rotate:
+      case Keyword::scale:
+      case Keyword::matrix:
+      case Keyword::transform: {
+        Transform transform;
+        accept_transformation(parser_, transform);
+        add(transform);
+        return true;
+      }
+      case Keyword::bounded_by:
+      case Keyword::clipped_by:
+        parser_.next();
+        parse_clips(keyword == Keyword::bounded_by);
+        return true;
+      case Keyword::photons:
+        parser_.next();
+        add(SetPhotons{parse_object_photons(parser_)});
+        return true;
+      case Keyword::radiosity:
+        parser_.next();
+        add(SetRadiosityImportance{parse_radiosity_importance(parser_)});
+        return true;
+      case Keyword::dtag:
+        parser_.next();
+        parser_.parse_string();
+        return true;
+      default:
+        if (accept_texture_item(keyword) || accept_flag(keyword)) return true;
+        break;
+    }
   }
-  if (accept_texture_item() || accept_flag()) return true;
-  if (parser_.accept(Keyword::bounded_by)) {
-    parse_clips(true);
-  } else if (parser_.accept(Keyword::clipped_by)) {
-    parse_clips(false);
-  } else if (parser_.accept(Keyword::photons)) {
-    add(SetPhotons{parse_object_photons(parser_)});
-  } else if (parser_.accept(Keyword::radiosity)) {
-    add(SetRadiosityImportance{parse_radiosity_importance(parser_)});
-  } else if (parser_.accept(Keyword::dtag)) {
-    parser_.parse_string();
-  } else if (parser_.at_color_start()) {
-    parser_.parse_color();
-    parser_.warning("a colour belongs into the texture; this one is ignored");
-  } else {
-    return false;
-  }
+  if (!parser_.at_color_start()) return false;
+  parser_.parse_color();
+  parser_.warning("a colour belongs into the texture; this one is ignored");
   return true;
 }
 
@@ -125,93 +142,116 @@ TexturePtr ObjectBuilder::texture_to_modify() {
   return texture ? texture : default_texture(parser_);
 }
 
-bool ObjectBuilder::accept_texture_item() {
-  if (parser_.accept(Keyword::texture)) {
-    const TexturePtr top = parse_texture(parser_);
-    const TexturePtr below = resolve_textures(*node_).texture;
-    set_texture(below ? layer_texture(parser_, below, top) : top);
-  } else if (parser_.accept(Keyword::pigment)) {
-    auto texture = std::make_shared<TextureNode>(*texture_to_modify());
-    texture->pigment = parse_pigment(parser_, texture->pigment);
-    set_texture(texture);
-  } else if (parser_.accept(Keyword::normal)) {
-    auto texture = std::make_shared<TextureNode>(*texture_to_modify());
-    texture->normal = parse_normal(parser_, texture->normal);
-    set_texture(texture);
-  } else if (parser_.accept(Keyword::finish)) {
-    auto texture = std::make_shared<TextureNode>(*texture_to_modify());
-    texture->finish = parse_finish(parser_, texture->finish);
-    set_texture(texture);
-  } else if (parser_.accept(Keyword::interior_texture)) {
-    const TexturePtr top = parse_texture(parser_);
-    const TexturePtr below = resolve_textures(*node_).interior_texture;
-    add(SetInteriorTexture{below ? layer_texture(parser_, below, top) : top});
-    interior_texture_given_ = true;
-  } else if (parser_.accept(Keyword::interior)) {
-    add(SetInterior{parse_interior(parser_)});
-  } else if (parser_.accept(Keyword::material)) {
-    const auto material = parse_material(parser_);
-    if (material->texture) set_texture(material->texture);
-    if (material->interior_texture) {
-      add(SetInteriorTexture{material->interior_texture});
-      interior_texture_given_ = true;
+bool ObjectBuilder::accept_texture_item(Keyword keyword) {
+  switch (keyword) {
+    case Keyword::texture: {
+      parser_.next();
+      const TexturePtr top = parse_texture(parser_);
+      const TexturePtr below = resolve_textures(*node_).texture;
+      set_texture(below ? layer_texture(parser_, below, top) : top);
+      return true;
     }
-    if (material->interior) add(SetInterior{material->interior});
-  } else if (parser_.accept(Keyword::uv_mapping)) {
-    if (resolve_textures(*node_).texture) parser_.error("uv_mapping must come before the texture");
-    add(SetFlag{ObjectFlag::uv_mapping, true});
-  } else {
-    return false;
+    case Keyword::pigment:
+    case Keyword::normal:
+    case Keyword::finish: {
+      parser_.next();
+      auto texture = std::make_shared<TextureNode>(*texture_to_modify());
+      if (keyword == Keyword::pigment) {
+        texture->pigment = parse_pigment(parser_, texture->pigment);
+      } else if (keyword == Keyword::normal) {
+        texture->normal = parse_normal(parser_, texture->normal);
+      } else {
+        texture->finish = parse_finish(parser_, texture->finish);
+      }
+      set_texture(std::move(texture));
+      return true;
+    }
+    case Keyword::interior_texture: {
+      parser_.next();
+      const TexturePtr top = parse_texture(parser_);
+      const TexturePtr below = resolve_textures(*node_).interior_texture;
+      add(SetInteriorTexture{below ? layer_texture(parser_, below, top) : top});
+      interior_texture_given_ = true;
+      return true;
+    }
+    case Keyword::interior:
+      parser_.next();
+      add(SetInterior{parse_interior(parser_)});
+      return true;
+    case Keyword::material: {
+      parser_.next();
+      const auto material = parse_material(parser_);
+      if (material->texture) set_texture(material->texture);
+      if (material->interior_texture) {
+        add(SetInteriorTexture{material->interior_texture});
+        interior_texture_given_ = true;
+      }
+      if (material->interior) add(SetInterior{material->interior});
+      return true;
+    }
+    case Keyword::uv_mapping:
+      parser_.next();
+      if (resolve_textures(*node_).texture) {
+        parser_.error("uv_mapping must come before the texture");
+      }
+      add(SetFlag{ObjectFlag::uv_mapping, true});
+      return true;
+    default:
+      return false;
   }
-  return true;
 }
 
-bool ObjectBuilder::accept_flag() {
-  struct Switch {
-    Keyword keyword;
-    ObjectFlag flag;
-  };
-  static constexpr Switch kSwitches[] = {
-      {Keyword::hollow, ObjectFlag::hollow},
-      {Keyword::double_illuminate, ObjectFlag::double_illuminate},
-      {Keyword::no_image, ObjectFlag::no_image},
-      {Keyword::no_reflection, ObjectFlag::no_reflection},
-      {Keyword::no_radiosity, ObjectFlag::no_radiosity},
-  };
-  for (const Switch& entry : kSwitches) {
-    if (!parser_.accept(entry.keyword)) continue;
-    add(SetFlag{entry.flag, parser_.parse_optional_switch()});
+bool ObjectBuilder::accept_flag(Keyword keyword) {
+  const auto add_switch = [&](ObjectFlag flag) {
+    parser_.next();
+    add(SetFlag{flag, parser_.parse_optional_switch()});
     return true;
+  };
+  switch (keyword) {
+    case Keyword::hollow: return add_switch(ObjectFlag::hollow);
+    case Keyword::double_illuminate: return add_switch(ObjectFlag::double_illuminate);
+    case Keyword::no_image: return add_switch(ObjectFlag::no_image);
+    case Keyword::no_reflection: return add_switch(ObjectFlag::no_reflection);
+    case Keyword::no_radiosity: return add_switch(ObjectFlag::no_radiosity);
+    case Keyword::no_shadow:
+      parser_.next();
+      add(SetFlag{ObjectFlag::no_shadow, true});
+      return true;
+    case Keyword::inverse:
+      parser_.next();
+      if (!is_solid(*node_)) {
+        parser_.warning("this object is a patch without an inside: inverse has no effect");
+      }
+      add(SetFlag{ObjectFlag::inverse, true});
+      return true;
+    case Keyword::sturm:
+    case Keyword::hierarchy:
+      parser_.next();
+      check_supported(keyword);
+      add(SetFlag{keyword == Keyword::sturm ? ObjectFlag::sturm : ObjectFlag::hierarchy,
+                  parser_.parse_optional_switch()});
+      return true;
+    case Keyword::split_union: {
+      parser_.next();
+      const auto* csg = std::get_if<CsgNode>(&shape_of(*node_));
+      if (!csg || (csg->kind != CsgKind::union_ && csg->kind != CsgKind::merge)) {
+        parser_.error("split_union belongs to unions only");
+      }
+      add(SetFlag{ObjectFlag::split_union, parser_.parse_float() > 0});
+      return true;
+    }
+    case Keyword::cutaway_textures: {
+      parser_.next();
+      const auto* csg = std::get_if<CsgNode>(&shape_of(*node_));
+      if (!csg || (csg->kind != CsgKind::intersection && csg->kind != CsgKind::difference)) {
+        parser_.error("cutaway_textures belongs to intersections and differences only");
+      }
+      add(SetFlag{ObjectFlag::cutaway_textures, true});
+      return true;
+    }
+    default:
+      return false;
   }
-  if (parser_.accept(Keyword::no_shadow)) {
-    add(SetFlag{ObjectFlag::no_shadow, true});
-  } else if (parser_.accept(Keyword::inverse)) {
-    if (!is_solid(*node_)) {
-      parser_.warning("this object is a patch without an inside: inverse has no effect");
-    }
-    add(SetFlag{ObjectFlag::inverse, true});
-  } else if (parser_.accept(Keyword::sturm)) {
-    check_supported(Keyword::sturm);
-    add(SetFlag{ObjectFlag::sturm, parser_.parse_optional_switch()});
-  } else if (parser_.accept(Keyword::hierarchy)) {
-    check_supported(Keyword::hierarchy);
-    add(SetFlag{ObjectFlag::hierarchy, parser_.parse_optional_switch()});
-  } else if (parser_.accept(Keyword::split_union)) {
-    const auto* csg = std::get_if<CsgNode>(&shape_of(*node_));
-    if (!csg || (csg->kind != CsgKind::union_ && csg->kind != CsgKind::merge)) {
-      parser_.error("split_union belongs to unions only");
-    }
-    add(SetFlag{ObjectFlag::split_union, parser_.parse_float() > 0});
-  } else if (parser_.accept(Keyword::cutaway_textures)) {
-    const auto* csg = std::get_if<CsgNode>(&shape_of(*node_));
-    if (!csg || (csg->kind != CsgKind::intersection && csg->kind != CsgKind::difference)) {
-      parser_.error("cutaway_textures belongs to intersections and differences only");
-    }
-    add(SetFlag{ObjectFlag::cutaway_textures, true});
-  } else {
-    return false;
-  }
-  return true;
 }
 
 // sturm and hierarchy mean something to a few shapes only (spec/geometry.md 16.3).

@@ -29,7 +29,11 @@ class ObjectBuilder {
   void set_shape(ShapeNode shape);
   // A CSG of these members: counts the levels.
   void set_csg(CsgNode csg);
-  void add(Modifier modifier) { node_->modifiers.push_back(std::move(modifier)); }
+  void add(Modifier modifier) {
+    // Usually a texture, and the default one behind it.
+    if (node_->modifiers.empty()) node_->modifiers.reserve(2);
+    node_->modifiers.push_back(std::move(modifier));
+  }
   // Everything of spec/language.md 25, up to the closing brace, which is consumed.
   ObjectPtr finish(const char* what);
   // The closing brace alone.
@@ -38,8 +42,8 @@ class ObjectBuilder {
  private:
   void set_base(const ObjectPtr& base);
   bool accept_modifier();
-  bool accept_flag();
-  bool accept_texture_item();
+  bool accept_flag(Keyword keyword);
+  bool accept_texture_item(Keyword keyword);
   void set_texture(TexturePtr texture);
   TexturePtr texture_to_modify();
   void parse_clips(bool bounds);

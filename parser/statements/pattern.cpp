@@ -127,8 +127,10 @@ bool starts_with_triangle_wave(PatternKind kind) {
 
 // The keyword and its arguments; false: no pattern.
 bool accept_kind(Parser& parser, PatternNode& node, PatternUse use) {
+  if (parser.peek().kind != TokenKind::keyword) return false;
+  const Keyword keyword = parser.peek().keyword;
   for (const SimplePattern& simple : kSimple) {
-    if (!parser.at(simple.keyword)) continue;
+    if (simple.keyword != keyword) continue;
     parser.next();
     node.kind = simple.kind;
     return true;
@@ -230,6 +232,7 @@ bool accept_pattern(Parser& parser, PatternNode& node, PatternUse use) {
 }
 
 bool accept_pattern_modifier(Parser& parser, PatternNode& node) {
+  if (parser.peek().kind != TokenKind::keyword) return false;
   if (accept_warp(parser, node)) return true;
   struct Wave {
     Keyword keyword;

@@ -21,7 +21,10 @@ class PigmentReader {
       return;
     }
     read_start();
-    while (accept_map() || accept_quick_color() || accept_pattern_modifier(parser_, node_.pattern.edit())) {
+    // Most pigments are a colour and nothing else: their pattern is not touched.
+    while (parser_.peek().kind == TokenKind::keyword &&
+           (accept_map() || accept_quick_color() ||
+            accept_pattern_modifier(parser_, node_.pattern.edit()))) {
     }
     if (node_.is_unspecified && node_.pattern->kind == PatternKind::none &&
         use_ == PatternUse::pigment && !started_from_identifier_) {
@@ -54,10 +57,11 @@ class PigmentReader {
   void read_start() {
     if (parser_.at_color_start()) {
       node_.color = parser_.parse_color();
-      node_.pattern = PatternNode{};
+      node_.pattern = {};
       node_.is_unspecified = false;
       return;
     }
+    if (parser_.peek().kind != TokenKind::keyword) return;
     if (parser_.accept(Keyword::object)) {
       node_.pattern.edit().kind = PatternKind::object;
       node_.pattern.edit().frequency = 0;

@@ -42,24 +42,36 @@ Transform parse_matrix(Parser& parser) {
 }  // namespace
 
 bool accept_transformation(Parser& parser, Transform& transform) {
-  if (parser.accept(Keyword::translate)) {
-    transform = Transform::translation(parser.parse_vector());
-  } else if (parser.accept(Keyword::rotate)) {
-    transform = Transform::rotation(parser.parse_vector());
-  } else if (parser.accept(Keyword::scale)) {
-    transform = parse_scale(parser);
-  } else if (parser.accept(Keyword::matrix)) {
-    transform = parse_matrix(parser);
-  } else if (parser.accept(Keyword::transform)) {
-    if (const auto named = parser.accept_identifier<Transform>(ValueKind::transform)) {
-      transform = *named;
-    } else {
-      transform = parse_transform_block(parser);
-    }
-  } else {
-    return false;
+  const Token& token = parser.peek();
+  if (token.kind != TokenKind::keyword) return false;
+  switch (token.keyword) {
+    case Keyword::translate:
+      parser.next();
+      transform = Transform::translation(parser.parse_vector());
+      return true;
+    case Keyword::rotate:
+      parser.next();
+      transform = Transform::rotation(parser.parse_vector());
+      return true;
+    case Keyword::scale:
+      parser.next();
+      transform = parse_scale(parser);
+      return true;
+    case Keyword::matrix:
+      parser.next();
+      transform = parse_matrix(parser);
+      return true;
+    case Keyword::transform:
+      parser.next();
+      if (const auto named = parser.accept_identifier<Transform>(ValueKind::transform)) {
+        transform = *named;
+      } else {
+        transform = parse_transform_block(parser);
+      }
+      return true;
+    default:
+      return false;
   }
-  return true;
 }
 
 Transform parse_transformations(Parser& parser) {
