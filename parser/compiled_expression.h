@@ -1,11 +1,11 @@
-// Numeric expressions that are read again and again (bodies of loops and macros), compiled once into
-// a straight run of steps over scalar registers.
+// Numeric expressions that are read again and again (bodies of loops and macros), compiled once
+// into a straight run of steps over scalar registers.
 //
 // Widths are known when an expression is compiled, because the kinds of its identifiers are those
 // found at that moment: vectors are lists of registers, promotion and `.x` cost nothing. A step
 // checks what it relies on (the identifier still has that kind, the subscript is in range, the
-// divisor is not zero ...); where that fails nothing has been consumed and the tokens are read in the
-// ordinary way, which also gives all warnings and errors.
+// divisor is not zero ...); where that fails nothing has been consumed and the tokens are read in
+// the ordinary way, which also gives all warnings and errors.
 #pragma once
 
 #include <array>

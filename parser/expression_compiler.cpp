@@ -1,5 +1,5 @@
-// From tokens to a CompiledExpression: the grammar of expression.cpp and builtins.cpp once more, for
-// the part of it that means the same whenever it is read.
+// From tokens to a CompiledExpression: the grammar of expression.cpp and builtins.cpp once more,
+// for the part of it that means the same whenever it is read.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -251,7 +251,9 @@ class ExpressionCompiler {
     if (!value) return false;
     ++at_;
     ValueKind kind = value->kind();
-    if (kind == ValueKind::function) return call(*value->as<FunctionNode>().compiled, name, out, width);
+    if (kind == ValueKind::function) {
+      return call(*value->as<FunctionNode>().compiled, name, out, width);
+    }
     uint16_t subscript = 0;
     const bool is_element = kind == ValueKind::array;
     if (is_element) {
@@ -286,7 +288,8 @@ class ExpressionCompiler {
           !accept(Symbol::bracket_close)) {
         return false;
       }
-      Step& step = emit(d == 0 ? Operation::first_subscript : Operation::next_subscript, subscript, flat);
+      Step& step =
+          emit(d == 0 ? Operation::first_subscript : Operation::next_subscript, subscript, flat);
       step.name = name;
       step.count = static_cast<uint8_t>(d == 0 ? dimensions : d);
       flat = step.to;

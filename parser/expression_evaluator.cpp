@@ -13,8 +13,8 @@ namespace {
 using Operation = CompiledExpression::Operation;
 using Step = CompiledExpression::Step;
 
-// Reading starts in a page at least so often, and an expression is read so often, before it is worth
-// while to compile.
+// Reading starts in a page at least so often, and an expression is read so often, before it is
+// worth while to compile.
 constexpr uint32_t kReturnsBeforeCaching = 3;
 constexpr int kVisitsBeforeCompiling = 2;
 // Variables that change their kind make an expression miss: it is compiled anew, a few times.
@@ -62,7 +62,9 @@ bool Parser::State::run(CompiledExpression& code) {
     undo.roll_back();
     return false;
   };
-  const auto operand = [&](const Step& step, int i) { return r[code.operands[static_cast<size_t>(step.list + i)]]; };
+  const auto operand = [&](const Step& step, int i) {
+    return r[code.operands[static_cast<size_t>(step.list + i)]];
+  };
   const auto vector = [&](const Step& step, int first) {
     return Vec3(operand(step, first), operand(step, first + 1), operand(step, first + 2));
   };
@@ -203,7 +205,7 @@ bool Parser::State::run(CompiledExpression& code) {
       case Operation::vnormalize: {
         const Vec3 v = vector(step, 0);
         if (v == Vec3(0)) return miss();
-        put(step, v / std::sqrt(dot(v, v)));
+        put(step, v * (1 / std::sqrt(dot(v, v))));
         break;
       }
       case Operation::vrotate:
@@ -212,7 +214,8 @@ bool Parser::State::run(CompiledExpression& code) {
       case Operation::vaxis_rotate: {
         const Vec3 along = vector(step, 3);
         const Vec3 axis = along / std::sqrt(dot(along, along));
-        put(step, Transform::axis_rotation(axis, operand(step, 6) * kDegree).point(vector(step, 0)));
+        const double angle = operand(step, 6) * kDegree;
+        put(step, Transform::axis_rotation(axis, angle).point(vector(step, 0)));
         break;
       }
       case Operation::call: {
@@ -313,7 +316,9 @@ bool Parser::State::evaluate_compiled(Terms& out, int width, ExpressionLevel lev
   }
   code->misses = 0;
   out.count = code->count;
-  for (int i = 0; i < code->count; ++i) out.v[i] = code->registers[code->result[static_cast<size_t>(i)]];
+  for (int i = 0; i < code->count; ++i) {
+    out.v[i] = code->registers[code->result[static_cast<size_t>(i)]];
+  }
   pass_tokens(first, code->tokens);
   return true;
 }

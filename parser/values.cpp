@@ -41,7 +41,9 @@ Value Parser::State::to_value(const Terms& terms) {
 bool Parser::State::take_numeric_identifier(RightSide& result) {
   if (waiting_switches > 0 || !resolve_elements || language_version < 350) return false;
   const Token* const name = next_raw();
-  if (!name || name->kind != TokenKind::identifier || frames.back().page_end - name < 2) return false;
+  if (!name || name->kind != TokenKind::identifier || frames.back().page_end - name < 2) {
+    return false;
+  }
   if (!name[1].is(Symbol::comma) && !name[1].is(Symbol::paren_close) &&
       !name[1].is(Symbol::semicolon)) {
     return false;
