@@ -102,17 +102,19 @@ std::string state_identity(const Options& options, const FrameSettings& frame) {
 
 // The scene made ready for one camera.
 struct PreparedView {
-  PreparedView(const Scene& from, const CameraNode& node, const Options& options)
-      : PreparedView(from, node, options, {options.render.quality, options.output_alpha}) {}
+  PreparedView(const Scene& from, std::vector<ObjectPtr> objects, const CameraNode& node,
+               const Options& options)
+      : PreparedView(from, std::move(objects), node, options,
+                     {options.render.quality, options.output_alpha}) {}
 
   ShadingScene scene;
   Camera camera;
 
  private:
-  PreparedView(const Scene& from, const CameraNode& node, const Options& options,
-               const ShadingOptions& shading)
+  PreparedView(const Scene& from, std::vector<ObjectPtr> objects, const CameraNode& node,
+               const Options& options, const ShadingOptions& shading)
       : scene(from,
-              World::build(from, {options.bounding_threshold, options.remove_bounds,
+              World::build(from, std::move(objects), {options.bounding_threshold, options.remove_bounds,
                                   options.split_unions}),
               shading),
         camera(node, options.render.width, options.render.height,
@@ -139,14 +141,15 @@ class FrameRenderer {
     }
     if (options_.compare_methods) return compare_methods();
     if (!options_.clockless_animation || scene_->cameras.size() < 2) {
-      return render_camera(*scene_->camera, frame_.suffix);
+      return render_camera(*scene_->camera, std::move(scene_->objects), frame_.suffix);
     }
     // One picture per camera, numbered like frames.
     const size_t digits = std::to_string(scene_->cameras.size()).size();
     FrameOutcome outcome = FrameOutcome::done;
     for (size_t i = 0; i < scene_->cameras.size() && outcome != FrameOutcome::stopped; ++i) {
       const std::string number = std::to_string(i + 1);
-      outcome = render_camera(*scene_->cameras[i], std::string(digits - number.size(), '0') + number);
+      outcome = render_camera(*scene_->cameras[i], scene_->objects,
+                              std::string(digits - number.size(), '0') + number);
     }
     return outcome;
   }
@@ -203,7 +206,8 @@ class FrameRenderer {
     }
   }
 
-  FrameOutcome render_camera(const CameraNode& camera_node, const std::string& suffix) {
+  FrameOutcome render_camera(const CameraNode& camera_node, std::vector<ObjectPtr> objects,
+                             const std::string& suffix) {
     Stopwatch watch;
     const bool to_stream = is_standard_stream(options_.output_name);
     const std::string path =
@@ -220,7 +224,7 @@ class FrameRenderer {
       check_output(path);
     }
 
-    const PreparedView view(*scene_, camera_node, options_);
+    const PreparedView view(*scene_, std::move(objects), camera_node, options_);
     const WhittedIntegrator integrator = make_integrator(view.scene, options_.render.integrator);
     statistics_.lights = view.scene.world->lights().size();
     statistics_.build_seconds = watch.lap();
@@ -260,7 +264,7 @@ class FrameRenderer {
         output_path(options_.input_file, options_.output_name, options_.file_type,
                     options_.output_name.empty() ? "-methods" : frame_.suffix);
     check_output(path);
-    const PreparedView view(*scene_, *scene_->camera, options_);
+    const PreparedView view(*scene_, std::move(scene_->objects), *scene_->camera, options_);
     statistics_.lights = view.scene.world->lights().size();
     statistics_.build_seconds = watch.lap();
 

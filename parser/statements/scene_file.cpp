@@ -13,9 +13,12 @@ namespace durer {
 namespace {
 
 // An object that has no texture when its outermost statement ends gets the default texture of that
-// moment, for itself and its untextured members (spec/language.md 20).
-ObjectPtr with_default_texture(Parser& parser, ObjectPtr object) {
-  return with_modifier(std::move(object), SetDefaultTexture{default_texture(parser)});
+// moment, for itself and its untextured members (spec/language.md 20). It is noted where it changes:
+// `noted` is the last one.
+ObjectPtr with_default_texture(Parser& parser, ObjectPtr object, TexturePtr& noted) {
+  if (noted == default_texture(parser)) return object;
+  noted = default_texture(parser);
+  return with_modifier(std::move(object), SetDefaultTexture{noted});
 }
 
 void add_camera(Parser& parser) {
@@ -30,10 +33,10 @@ void add_camera(Parser& parser) {
 }
 
 // One statement. False at the end of the text.
-bool parse_statement(Parser& parser) {
+bool parse_statement(Parser& parser, TexturePtr& default_noted) {
   Scene& scene = parser.scene();
   if (ObjectPtr object = parse_object(parser)) {
-    scene.objects.push_back(with_default_texture(parser, std::move(object)));
+    scene.objects.push_back(with_default_texture(parser, std::move(object), default_noted));
   } else if (parser.accept(Keyword::camera)) {
     add_camera(parser);
   } else if (parser.accept(Keyword::global_settings)) {
@@ -80,7 +83,8 @@ Value block(ValueKind kind, std::shared_ptr<const T> handle) {
 }  // namespace
 
 void parse_scene_statements(Parser& parser) {
-  while (parse_statement(parser)) {
+  TexturePtr default_noted;
+  while (parse_statement(parser, default_noted)) {
   }
   Scene& scene = parser.scene();
   if (!scene.camera) {

@@ -25,8 +25,8 @@ struct PhotonSettings {  // photons{} of an object (spec/gi.md A1.2)
 
 // The parser has resolved `pigment{}`, `normal{}`, `finish{}` and layering into whole textures.
 struct SetTexture { TexturePtr texture; };
-// What surfaces without a texture of their own get in the end; last modifier of every object at scene
-// level. Does not count as a texture of the object (inheritance goes first, spec/geometry.md 5).
+// What surfaces without a texture of their own get in the end, from this object at scene level on;
+// its last modifier. Does not count as a texture of the object (inheritance goes first, spec/geometry.md 5).
 struct SetDefaultTexture { TexturePtr texture; };
 struct SetInteriorTexture { TexturePtr texture; };
 struct SetInterior { std::shared_ptr<const InteriorNode> interior; };

@@ -65,14 +65,15 @@ ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
   const WorldPatternServices services(texture_settings(scene, options), scene.settings);
   const TextureSettings& settings = services.settings();
   std::vector<bool> opaque;
-  for (const TexturePtr& node : world->textures()) {
+  for (TexturePtr& node : world->take_textures()) {
     textures.push_back(compile_texture(*node, settings));
     opaque.push_back(textures.back()->is_opaque);
     for (const TextureLayer& layer : textures.back()->layers) {
-      if (layer.finish.has_subsurface && scene.settings.subsurface && options.quality >= 9) {
+      if (layer.finish->has_subsurface && scene.settings.subsurface && options.quality >= 9) {
         throw NotSupported("subsurface light transport", node->pattern->position);
       }
     }
+    node.reset();
   }
   world->set_opaque_textures(std::move(opaque));
 

@@ -180,7 +180,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     if (quality <= 1) {
       color = pigment.rgb();
     } else {
-      const FinishNode& finish = layer.finish;
+      const FinishNode& finish = *layer.finish;
       Reflectivity mirror;
       if (layer.is_mirror && recursive_) {
         double relative_ior = 1;
@@ -239,7 +239,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
       continue;
     }
     RGB seen = reflect(ray, hit, mirror.normal, *mirror.layer, mirror.weight, counts);
-    const float exponent = mirror.layer->finish.reflection_exponent;
+    const float exponent = mirror.layer->finish->reflection_exponent;
     if (exponent != 1) {
       seen = {std::pow(seen.red, 1 / exponent), std::pow(seen.green, 1 / exponent),
               std::pow(seen.blue, 1 / exponent)};
@@ -253,7 +253,7 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
                                    const TextureLayer& layer, const ColorRGBFT& pigment,
                                    const Vec3& normal, float opacity, const RGB& filter,
                                    RayCounts& counts) const {
-  const FinishNode& finish = layer.finish;
+  const FinishNode& finish = *layer.finish;
   const RGB base = pigment.rgb();
   RGB sum = base * finish.ambient * scene_.scene.settings.ambient_light * opacity;
   if (indirect_) [[unlikely]] {
@@ -290,7 +290,7 @@ struct LobeShares {
 
 LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, const Vec3& normal,
                        const Vec3& to_light, float diffuse, float opacity, bool highlights) {
-  const FinishNode& finish = layer.finish;
+  const FinishNode& finish = *layer.finish;
   LobeShares shares;
   if (diffuse > 0) {
     double cosine = std::abs(dot(normal, to_light));
@@ -324,7 +324,7 @@ void WhittedIntegrator::replace_ambient(const TracedRay& ray, const SurfaceHit& 
                                         const Vec3& normal, float opacity, const RGB& filter,
                                         RGB& ambient) const {
   // Worth asking for only where it will be seen (spec/shading.md 18).
-  const float diffuse = layer.finish.diffuse;
+  const float diffuse = layer.finish->diffuse;
   const float share = (filter * pigment).grey() * opacity * diffuse;
   if (!hit.ambient_asked && share > scene_.scene.settings.adc_bailout) {
     hit.ambient_asked = true;
@@ -347,7 +347,7 @@ class WhittedIntegrator::PhotonLobes final : public PhotonVisitor {
 
   void photon(const Vec3& towards_source, const RGB& radiance) override {
     const bool from_behind = dot(normal_, towards_source) < kEpsilon;
-    const FinishNode& finish = layer_.finish;
+    const FinishNode& finish = *layer_.finish;
     const LobeShares shares =
         lobe_shares(layer_, ray_direction_, normal_, towards_source,
                     from_behind ? finish.diffuse_back : finish.diffuse, opacity_, !from_behind);
@@ -381,7 +381,7 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
                                           const TextureLayer& layer, const ColorRGBFT& pigment,
                                           const Vec3& normal, float opacity, int index, int place,
                                           RayCounts& counts) const {
-  const FinishNode& finish = layer.finish;
+  const FinishNode& finish = *layer.finish;
   const Light& light = scene_.lights[index];
   const LightNode& node = light.node();
   const Vec3& point = hit.surface.point;
@@ -498,9 +498,9 @@ RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, cons
   next.weight = weight;
   next.path = extend_path(ray.path, kEventReflection);
   RGB seen = trace(next, counts).color;
-  if (layer.finish.irid.amount > 0) {
+  if (layer.finish->irid.amount > 0) {
     seen *=
-        irid_factor(layer.finish.irid, hit.surface.point,
+        irid_factor(layer.finish->irid, hit.surface.point,
                     std::abs(dot(normal, next.direction)) + std::abs(dot(normal, ray.direction)),
                     scene_.scene.settings);
   }

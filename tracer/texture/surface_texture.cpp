@@ -87,12 +87,13 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
     layer.normal = compile_normal(*node.normal, settings);
     layer.normal_keeps_length = node.normal->no_bump_scale;
   }
-  if (node.finish) layer.finish = *node.finish;
-  const FinishNode& finish = layer.finish;
+  static const auto default_finish = std::make_shared<const FinishNode>();
+  layer.finish = node.finish ? node.finish : default_finish;
+  const FinishNode& finish = *layer.finish;
   layer.is_mirror = !finish.reflection_max.is_black() || !finish.reflection_min.is_black();
   layer.is_lit = finish.diffuse != 0 || finish.diffuse_back != 0 || finish.specular != 0 ||
                  finish.phong != 0;
-  layer.highlight_exponent = layer.finish.roughness != 0 ? 1 / layer.finish.roughness : 0;
+  layer.highlight_exponent = finish.roughness != 0 ? 1 / finish.roughness : 0;
   return layer;
 }
 

@@ -44,8 +44,8 @@ class CompiledNormal {
 struct TextureLayer {
   std::shared_ptr<const CompiledPigment> pigment;
   std::shared_ptr<const CompiledNormal> normal;  // null: none
+  std::shared_ptr<const FinishNode> finish;      // never null
   bool normal_keeps_length = false;              // no_bump_scale: perturb() gives any length
-  FinishNode finish;
   float highlight_exponent = 20;  // 1/roughness
   bool is_mirror = false;         // the finish reflects rays
   bool is_lit = true;             // the finish answers to lights

@@ -259,9 +259,9 @@ bool can_be_shared(const ResolvedObject& object, bool is_root, size_t& shapes) {
 }
 
 // Only of nodes with more than one owner: the others are used once.
-void count_uses(const ObjectPtr& object, std::unordered_map<const ObjectNode*, int>& uses) {
+void count_uses(const ObjectPtr& object, std::unordered_map<ObjectPtr, int>& uses) {
   const ObjectNode& node = *object;
-  if (object.use_count() > 1 && ++uses[&node] > 1) return;
+  if (object.use_count() > 1 && ++uses[object] > 1) return;
   if (node.base) count_uses(node.base, uses);
   if (!node.shape) return;
   if (const auto* csg = std::get_if<CsgNode>(node.shape.get())) {
@@ -272,7 +272,7 @@ void count_uses(const ObjectPtr& object, std::unordered_map<const ObjectNode*, i
 }  // namespace
 
 void ObjectResolver::find_shared(const std::vector<ObjectPtr>& scene) {
-  std::unordered_map<const ObjectNode*, int> uses;
+  std::unordered_map<ObjectPtr, int> uses;
   for (const ObjectPtr& object : scene) count_uses(object, uses);
   for (const auto& [node, count] : uses) {
     if (count >= kLeastUses && node->shape && std::holds_alternative<CsgNode>(*node->shape)) {
@@ -283,20 +283,20 @@ void ObjectResolver::find_shared(const std::vector<ObjectPtr>& scene) {
 
 // The object that another one copies: as a copy where it may be shared.
 ResolvedObject ObjectResolver::resolve_base(const ObjectNode& object) {
-  const auto found = shared_.find(object.base.get());
+  const auto found = shared_.find(object.base);
   if (found == shared_.end()) return resolve(object.base);
   if (!found->second) {
     auto original = std::make_shared<ResolvedObject>(resolve(object.base));
     size_t shapes = 0;
     if (!can_be_shared(*original, true, shapes) || shapes < kLeastShapes) {
-      shared_.erase(object.base.get());
+      shared_.erase(object.base);
       return std::move(*original);
     }
-    shared_[object.base.get()] = std::move(original);
+    shared_[object.base] = std::move(original);
   }
   ResolvedObject copy;
   copy.kind = ResolvedObject::Kind::copy;
-  copy.original = shared_[object.base.get()];
+  copy.original = shared_[object.base];
   copy.box = copy.original->box;
   return copy;
 }
@@ -406,7 +406,7 @@ PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
       return compile_shape(with_sturm(*object.shape, flag->value), context);
     }
   }
-  const auto known = shapes_.find(object.shape.get());
+  const auto known = shapes_.find(object.shape);
   if (known != shapes_.end()) return known->second;
   PlacedShape placed;
   if (std::holds_alternative<Rare<MeshNode>>(*object.shape)) {
@@ -419,7 +419,7 @@ PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
       std::holds_alternative<HeightFieldNode>(*object.shape) ||
       std::holds_alternative<BlobNode>(*object.shape) ||
       std::holds_alternative<Rare<IsosurfaceNode>>(*object.shape)) {
-    shapes_.emplace(object.shape.get(), placed);
+    shapes_.emplace(object.shape, placed);
   }
   return placed;
 }

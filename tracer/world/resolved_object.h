@@ -104,9 +104,9 @@ class ObjectResolver {
   void apply(ResolvedObject& object, const Modifier& modifier, bool is_copy);
 
   int effective_version_;
-  std::unordered_map<const ShapeNode*, PlacedShape> shapes_;
+  std::unordered_map<std::shared_ptr<const ShapeNode>, PlacedShape> shapes_;
   // Originals of copies by node; null until the first use.
-  std::unordered_map<const ObjectNode*, std::shared_ptr<const ResolvedObject>> shared_;
+  std::unordered_map<ObjectPtr, std::shared_ptr<const ResolvedObject>> shared_;
 };
 
 }  // namespace durer

@@ -66,6 +66,13 @@ uint32_t TextureTable::add(const TexturePtr& texture) {
   return static_cast<uint32_t>(textures_.size() - 1);
 }
 
+std::vector<TexturePtr> TextureTable::take() {
+  unmoved_ = {};
+  moved_ = {};
+  kept_ = {};
+  return std::exchange(textures_, {});
+}
+
 uint32_t TextureTable::index_of(const MovedTexture& texture) {
   const TextureNode* node = texture.texture.get();
   if (!texture.moved || looks_the_same_everywhere(*node)) {

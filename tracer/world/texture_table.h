@@ -1,4 +1,4 @@
-// Dense numbers for textures, each moved to its final place once (world.h, World::textures()).
+// Dense numbers for textures, each moved to its final place once (world.h, World::take_textures()).
 #pragma once
 
 #include <array>
@@ -17,7 +17,8 @@ class TextureTable {
   uint32_t index_of(const MovedTexture& texture);
   // Whether looking it up needs the surface's uv.
   bool uses_uv(uint32_t index) const { return uses_uv_[index]; }
-  const std::vector<TexturePtr>& textures() const { return textures_; }
+  // Ends the table's work: what it looked textures up by goes.
+  std::vector<TexturePtr> take();
 
  private:
   uint32_t add(const TexturePtr& texture);

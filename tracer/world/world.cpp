@@ -239,13 +239,22 @@ World::World() : impl_(std::make_unique<Impl>()) {}
 World::~World() = default;
 
 std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& options) {
+  return build(scene, scene.objects, options);
+}
+
+std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> objects,
+                                    const WorldOptions& options) {
   std::unique_ptr<World> world(new World);
   WorldData& data = world->impl_->data;
   WorldBuilder builder(data, options, static_cast<double>(scene.atmosphere_ior),
                        static_cast<double>(scene.atmosphere_dispersion), scene.default_texture);
   ObjectResolver resolver(scene.effective_version);
-  resolver.find_shared(scene.objects);
-  for (const ObjectPtr& object : scene.objects) builder.add_top_level(resolver.resolve(object));
+  resolver.find_shared(objects);
+  builder.expect(objects.size());
+  for (ObjectPtr& object : objects) {
+    builder.add_top_level(resolver.resolve(object));
+    object.reset();
+  }
   builder.resolve_projected(resolver);
   builder.finish();
   return world;
@@ -488,7 +497,7 @@ int World::containing_interiors(const Vec3& point, int* interiors, int capacity)
   return impl_->containing(impl_->data.scene, point, 0, 0, interiors, capacity);
 }
 
-const std::vector<TexturePtr>& World::textures() const { return impl_->data.textures.textures(); }
+std::vector<TexturePtr> World::take_textures() { return impl_->data.textures.take(); }
 const InteriorTable& World::interiors() const { return impl_->data.interiors; }
 const std::vector<IndirectSettings>& World::indirect_settings() const {
   return impl_->data.indirect;

@@ -41,7 +41,7 @@ struct IndirectSettings {
 
 // What a surface is made of, by index. One per primitive and copy.
 struct WorldObject {
-  uint32_t texture = kNoTexture;           // index into World::textures()
+  uint32_t texture = kNoTexture;           // index into World::take_textures()
   uint32_t interior_texture = kNoTexture;  // used where the ray leaves
   int interior = 0;                        // index into World::interiors()
   int light_group = -1;                    // innermost light group, -1: none
@@ -87,7 +87,7 @@ class InteriorTable {
 };
 
 struct TextureShare {
-  uint32_t texture;  // index into World::textures()
+  uint32_t texture;  // index into World::take_textures()
   float weight;
 };
 
@@ -126,6 +126,9 @@ class World {
  public:
   // Throws NotSupported (tracer/scene/not_supported.h).
   static std::unique_ptr<World> build(const Scene& scene, const WorldOptions& options);
+  // The same of these objects instead of the scene's; each is let go once it is in the world.
+  static std::unique_ptr<World> build(const Scene& scene, std::vector<ObjectPtr> objects,
+                                      const WorldOptions& options);
   ~World();
 
   // The nearest hit with 1e-4 <= t < max_t among what this kind of ray sees (geometry.md 2).
@@ -148,7 +151,8 @@ class World {
   // Writes at most `capacity` indices and returns their count.
   int containing_interiors(const Vec3& point, int* interiors, int capacity) const;
 
-  const std::vector<TexturePtr>& textures() const;
+  // The textures by index, for the one who compiles them: once.
+  std::vector<TexturePtr> take_textures();
   const InteriorTable& interiors() const;
   const std::vector<IndirectSettings>& indirect_settings() const;
   const std::vector<WorldLight>& lights() const;

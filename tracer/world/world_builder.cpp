@@ -80,6 +80,11 @@ bool encloses(const Bounds& box, const Bounds& surface) {
          glm::all(glm::greaterThanEqual(box.max + margin, surface.max));
 }
 
+// Some shapes are, where there is no hierarchy.
+bool is_seen_outside_box(const GeometryNode& node, const ObjectSet& set) {
+  return !set.uses_bounding && node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test();
+}
+
 // The finish of a plain texture has a say in the interior (spec/shading.md 11.2): of the top layer
 // only. Members of a CSG share an interior: the last one that says something counts.
 void take_from_finish(WorldInterior& interior, const TextureNode& texture) {
@@ -129,6 +134,14 @@ uint32_t WorldBuilder::new_node() {
   data_.geometry.nodes.emplace_back();
   data_.appearance.emplace_back();
   return static_cast<uint32_t>(data_.geometry.nodes.size() - 1);
+}
+
+void WorldBuilder::expect(size_t objects) {
+  data_.geometry.nodes.reserve(objects);
+  data_.geometry.shapes.reserve(objects);
+  data_.appearance.reserve(objects);
+  data_.objects.reserve(objects);
+  data_.scene.objects.reserve(objects);
 }
 
 void WorldBuilder::add_top_level(ResolvedObject&& object) {
@@ -494,27 +507,34 @@ bool ObjectSet::is_tested_first(uint32_t a, uint32_t b, const Vec3& origin,
 void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
   set.uses_bounding = uses_bounding;
   for (TopLevelObject& top : set.objects) {
-    Bounds box = top.box.is_infinite() ? Bounds::everything() : top.box.to_bounds();
-    if (top.instance < 0) {
-      const GeometryNode& node = data_.geometry.nodes[top.node];
-      if (!uses_bounding && node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test()) {
-        box = node.surface_is_bounded ? node.surface : Bounds::everything();
-      } else if (!top.box.is_infinite()) {
-        top.is_cut_off = !node.surface_is_bounded || !encloses(box, node.surface);
-      }
-    }
-    set.boxes.push_back(box);
+    if (top.instance >= 0 || top.box.is_infinite()) continue;
+    const GeometryNode& node = data_.geometry.nodes[top.node];
+    if (is_seen_outside_box(node, set)) continue;
+    top.is_cut_off = !node.surface_is_bounded || !encloses(top.box.to_bounds(), node.surface);
   }
   fill_search_list(data_.geometry, set, [](uint32_t) { return true; }, set.all);
+}
+
+Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevelObject& top) {
+  if (top.instance < 0) {
+    const GeometryNode& node = geometry.nodes[top.node];
+    if (is_seen_outside_box(node, set)) {
+      return node.surface_is_bounded ? node.surface : Bounds::everything();
+    }
+  }
+  return top.box.is_infinite() ? Bounds::everything() : top.box.to_bounds();
 }
 
 void fill_search_list(const Geometry& geometry, const ObjectSet& set,
                       const std::function<bool(uint32_t)>& wanted, SearchList& list) {
   std::vector<Bounds> boxes;
   std::vector<SearchItem> bounded;
+  boxes.reserve(set.objects.size());
+  bounded.reserve(set.objects.size());
   for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    if (set.boxes[i].is_empty() || !wanted(i)) continue;
     const TopLevelObject& top = set.objects[i];
+    const Bounds box = search_box(geometry, set, top);
+    if (box.is_empty() || !wanted(i)) continue;
     SearchItem item;
     item.object = i;
     item.hidden = top.hidden;
@@ -528,14 +548,15 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
         item.shape_kind = node.shape_kind;
       }
     }
-    if (set.is_infinite(i)) {
+    if (!box.is_bounded()) {
       list.infinite.push_back(item);
     } else {
       bounded.push_back(item);
-      boxes.push_back(set.boxes[i]);
+      boxes.push_back(box);
     }
   }
   list.bvh.build(boxes);
+  list.finite.reserve(bounded.size());
   for (const uint32_t i : list.bvh.items()) list.finite.push_back(bounded[i]);
 }
 

@@ -46,7 +46,6 @@ struct SearchList {
 // What a ray looks through at one level: the scene, or a shared object.
 struct ObjectSet {
   std::vector<TopLevelObject> objects;
-  std::vector<Bounds> boxes;     // by position; empty: never met; unbounded: met everywhere
   SearchList all;
   // Those that cast shadows, once textures are known: opaque ones, and others. Copies of shared
   // objects may be in both. Null: `all`.
@@ -56,7 +55,6 @@ struct ObjectSet {
   mutable std::once_flag order_made;
   mutable std::unique_ptr<const TestOrder> order;
 
-  bool is_infinite(uint32_t object) const { return !boxes[object].is_bounded(); }
   // Whether a ray tests object a before object b (geometry.md 2.3).
   bool is_tested_first(uint32_t a, uint32_t b, const Vec3& origin, const Vec3& direction) const;
   const SearchList& opaque_casters() const { return opaque ? *opaque : all; }
@@ -98,6 +96,9 @@ struct WorldData {
   TextureTable textures;
 };
 
+// Where rays look for an object. Empty: never met; unbounded: met everywhere.
+Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevelObject& top);
+
 // Lists the objects of a set that `wanted` says yes to.
 void fill_search_list(const Geometry& geometry, const ObjectSet& set,
                       const std::function<bool(uint32_t)>& wanted, SearchList& list);
@@ -107,6 +108,8 @@ class WorldBuilder {
   WorldBuilder(WorldData& data, const WorldOptions& options, double atmosphere_ior,
                double atmosphere_dispersion, TexturePtr default_texture);
 
+  // Makes room for as many objects at scene level.
+  void expect(size_t objects);
   void add_top_level(ResolvedObject&& object);
   // Without splitting and materials: for questions of the language and projected_through.
   uint32_t add_bare(const ResolvedObject& object);

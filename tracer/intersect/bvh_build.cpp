@@ -1,0 +1,203 @@
+// Binned surface area heuristic (Wald 2007, "On fast construction of SAH-based bounding volume
+// hierarchies"), eight children to a node. Boxes are sorted in place; each level of the tree reads
+// them twice: once into the bins, once to part them.
+#include "tracer/intersect/bvh_build.h"
+
+#include <immintrin.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace durer {
+namespace {
+
+constexpr int kBins = 16;
+constexpr uint32_t kLeafSize = 2;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// Corners in lanes 0 to 2; lane 3 means nothing.
+struct Box {
+  __m128 low = _mm_set1_ps(kInfinity);
+  __m128 high = _mm_set1_ps(-kInfinity);
+
+  void extend(__m128 other_low, __m128 other_high) {
+    low = _mm_min_ps(other_low, low);
+    high = _mm_max_ps(other_high, high);
+  }
+  void extend(const Box& b) { extend(b.low, b.high); }
+  float half_area() const {
+    alignas(16) float d[4];
+    _mm_store_ps(d, _mm_sub_ps(high, low));
+    return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+  }
+};
+
+__m128 low_of(const BvhBuildItem& item) { return _mm_load_ps(item.low); }
+__m128 high_of(const BvhBuildItem& item) { return _mm_load_ps(item.high); }
+float center(const BvhBuildItem& item, int axis) {
+  return 0.5f * (item.low[axis] + item.high[axis]);
+}
+
+// Items that stay together, their box, and the box of twice their centres.
+struct Range {
+  uint32_t begin, end;
+  Box box, centers;
+
+  uint32_t count() const { return end - begin; }
+  void extend(const BvhBuildItem& item) {
+    const __m128 low = low_of(item), high = high_of(item);
+    box.extend(low, high);
+    const __m128 sum = _mm_add_ps(low, high);
+    centers.extend(sum, sum);
+  }
+};
+
+class Builder {
+ public:
+  Builder(std::vector<BvhBuildItem>& boxes, std::vector<BvhNode>& nodes)
+      : boxes_(boxes), nodes_(nodes) {}
+
+  void run() { build_node(range_of(0, static_cast<uint32_t>(boxes_.size()))); }
+
+ private:
+  Range range_of(uint32_t begin, uint32_t end) const {
+    Range range{begin, end, {}, {}};
+    for (uint32_t i = begin; i < end; ++i) range.extend(boxes_[i]);
+    return range;
+  }
+
+  uint32_t build_node(const Range& whole) {
+    const uint32_t index = static_cast<uint32_t>(nodes_.size());
+    nodes_.emplace_back();
+    // Open the widest range until eight are found.
+    Range range[8];
+    float area[8];
+    int count = 1;
+    range[0] = whole;
+    area[0] = whole.box.half_area();
+    while (count < 8) {
+      int widest = -1;
+      float most = -1;
+      for (int i = 0; i < count; ++i) {
+        if (range[i].count() > kLeafSize && area[i] > most) {
+          most = area[i];
+          widest = i;
+        }
+      }
+      if (widest < 0) break;
+      split(range[widest], range[count]);
+      area[widest] = range[widest].box.half_area();
+      area[count] = range[count].box.half_area();
+      ++count;
+    }
+    for (int i = 0; i < 8; ++i) {
+      uint32_t child = 0;
+      if (i < count) {
+        child = range[i].count() <= kLeafSize
+                    ? BvhNode::kLeaf | range[i].begin << 3 | (range[i].count() - 1)
+                    : build_node(range[i]);
+      }
+      BvhNode& node = nodes_[index];
+      node.child[i] = child;
+      node.used = (1u << count) - 1;
+      // Empty slots cannot be entered.
+      alignas(16) float low[4], high[4];
+      const Box box = i < count ? range[i].box : Box();
+      _mm_store_ps(low, box.low);
+      _mm_store_ps(high, box.high);
+      for (int axis = 0; axis < 3; ++axis) {
+        node.low[axis][i] = low[axis];
+        node.high[axis][i] = high[axis];
+      }
+    }
+    return index;
+  }
+
+  // Parts the items where the cost is least; by number where all centres coincide. The first part
+  // stays in `left`.
+  void split(Range& left, Range& right) {
+    const Range whole = left;
+    alignas(16) float least[4], extents[4];
+    const __m128 half = _mm_set1_ps(0.5f);
+    _mm_store_ps(least, _mm_mul_ps(whole.centers.low, half));
+    _mm_store_ps(extents, _mm_sub_ps(_mm_mul_ps(whole.centers.high, half),
+                                     _mm_mul_ps(whole.centers.low, half)));
+    int axis = 0;
+    for (int a = 1; a < 3; ++a) {
+      if (extents[a] > extents[axis]) axis = a;
+    }
+    const float scale = kBins / extents[axis];
+    const auto bin_of = [&, low = least[axis]](const BvhBuildItem& item) {
+      const int bin = static_cast<int>((center(item, axis) - low) * scale);
+      return std::clamp(bin, 0, kBins - 1);
+    };
+    const int last_bin = extents[axis] > 0 ? best_split(whole, bin_of) : -1;
+    if (last_bin < 0) {
+      const uint32_t middle = whole.begin + whole.count() / 2;
+      left = range_of(whole.begin, middle);
+      right = range_of(middle, whole.end);
+      return;
+    }
+    left = {whole.begin, whole.begin, {}, {}};
+    right = {whole.end, whole.end, {}, {}};
+    while (left.end < right.begin) {
+      BvhBuildItem& item = boxes_[left.end];
+      if (bin_of(item) <= last_bin) {
+        left.extend(item);
+        ++left.end;
+      } else {
+        right.extend(item);
+        std::swap(item, boxes_[--right.begin]);
+      }
+    }
+  }
+
+  // The last bin of the first part; -1: all are in one bin.
+  template <typename BinOf>
+  int best_split(const Range& range, const BinOf& bin_of) const {
+    Box box[kBins];
+    uint32_t count[kBins] = {};
+    for (uint32_t i = range.begin; i < range.end; ++i) {
+      const int bin = bin_of(boxes_[i]);
+      box[bin].extend(low_of(boxes_[i]), high_of(boxes_[i]));
+      ++count[bin];
+    }
+    float right_cost[kBins];
+    Box sweep;
+    uint32_t swept = 0;
+    for (int i = kBins - 1; i > 0; --i) {
+      sweep.extend(box[i]);
+      swept += count[i];
+      right_cost[i] = swept ? sweep.half_area() * static_cast<float>(swept) : 0;
+    }
+    sweep = Box();
+    swept = 0;
+    float best = kInfinity;
+    int best_bin = -1;
+    for (int i = 0; i + 1 < kBins; ++i) {
+      sweep.extend(box[i]);
+      swept += count[i];
+      if (swept == 0 || swept == range.count()) continue;
+      const float cost = sweep.half_area() * static_cast<float>(swept) + right_cost[i + 1];
+      if (cost < best) {
+        best = cost;
+        best_bin = i;
+      }
+    }
+    return best_bin;
+  }
+
+  std::vector<BvhBuildItem>& boxes_;
+  std::vector<BvhNode>& nodes_;
+};
+
+}  // namespace
+
+void build_bvh_nodes(std::vector<BvhBuildItem>& boxes, std::vector<BvhNode>& nodes,
+                     std::vector<uint32_t>& items) {
+  Builder(boxes, nodes).run();
+  items.resize(boxes.size());
+  for (size_t i = 0; i < boxes.size(); ++i) items[i] = boxes[i].item;
+}
+
+}  // namespace durer
