@@ -107,6 +107,21 @@ std::shared_ptr<const Shape> Quadric::inverted() const {
       QuadricNode{-q_.square, -q_.mixed, -q_.linear, -q_.constant});
 }
 
+bool Quadric::has_automatic_bounds() const {
+  const Vec3 &s = q_.square, &m = q_.mixed;
+  int plus = 0, minus = 0;
+  double constant = -q_.constant;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(m[i]) >= kGeometryEpsilon) return false;
+    if (std::abs(s[i]) < kGeometryEpsilon) continue;
+    ++(s[i] > 0 ? plus : minus);
+    constant += q_.linear[i] * q_.linear[i] / (4 * s[i]);
+  }
+  if (plus + minus < 3 || plus == 0 || minus == 0) return true;
+  // Of cones and hyperboloids only those of two sheets: one sign of the squares is the constant's alone.
+  return constant != 0 && (constant > 0 ? plus : minus) == 1;
+}
+
 bool Quadric::bounds_within(const Bounds& range, Bounds& box) const {
   if (std::abs(q_.mixed.x) >= kGeometryEpsilon || std::abs(q_.mixed.y) >= kGeometryEpsilon ||
       std::abs(q_.mixed.z) >= kGeometryEpsilon) {

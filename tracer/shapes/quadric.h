@@ -19,6 +19,9 @@ class Quadric final : public Shape {
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override;
   std::shared_ptr<const Shape> inverted() const override;
 
+  // Whether the reference finds a box for it by itself, however large; bounded_by is then taken off a
+  // top-level object.
+  bool has_automatic_bounds() const;
   // The box of the part inside `range`, by the reference's rules; false: none was found.
   bool bounds_within(const Bounds& range, Bounds& box) const;
 

@@ -45,12 +45,14 @@ FloatBox infinite_if_huge(const FloatBox& box) {
 
 // The automatic box of a quadric within a range; kept if it is smaller than the one it has.
 void bound_quadric(ResolvedObject& object, const Bounds& range) {
+  const auto& quadric = static_cast<const Quadric&>(*object.shape);
+  object.box_from_quadric |= quadric.has_automatic_bounds();
   Bounds found;
-  if (!static_cast<const Quadric&>(*object.shape).bounds_within(range, found)) return;
+  if (!quadric.bounds_within(range, found)) return;
   const FloatBox box = FloatBox::from(found);
   if (box.volume() >= object.box.volume()) return;
   object.box = infinite_if_huge(box);
-  object.box_from_quadric = !object.box.is_infinite();
+  object.box_from_quadric = true;
 }
 
 // Box of a CSG from its members' (6.6).
