@@ -24,6 +24,7 @@ struct ShapeCase {
   double tolerance = 1e-8;  // of the equation at a hit, relative to its slope
   double lost_share = 0;    // of the rays whose hits the documented solvers lose (geometry.md 11)
   double least_depth = 1e-3;  // hits nearer to a ray's origin are not asked for
+  double aside = 1e-4;        // this far from a hit the inside has changed
 };
 
 inline std::shared_ptr<const ObjectQuery> query_of(const ShapeCase& shape) {
@@ -133,7 +134,7 @@ inline void expect_shape_agrees(const ShapeCase& shape) {
         wrong_normals += steepness > 1e-3 && std::abs(std::abs(dot(slope, normal)) / steepness - 1) > 1e-2;
       }
       if (shape.is_closed && facing > 0.05) {
-        const Vec3 aside = 1e-4 * ray.direction;
+        const Vec3 aside = shape.aside * ray.direction;
         unchanged += query->inside(point - aside) == query->inside(point + aside);
       }
     }

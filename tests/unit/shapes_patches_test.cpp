@@ -44,7 +44,9 @@ void expect_triangles(const ShapeCase& shape, const std::vector<Corner>& triangl
     const bool hit = query->trace(ray.origin, ray.direction, point, normal);
     const double depth = hit ? dot(point - ray.origin, ray.direction) : HUGE_VAL;
     if (depth < 1e-3) continue;  // the point from which it starts
-    ASSERT_EQ(hit, expected < HUGE_VAL) << i;
+    ASSERT_EQ(hit, expected < HUGE_VAL)
+        << i << ' ' << ray.origin.x << ' ' << ray.origin.y << ' ' << ray.origin.z << " / "
+        << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z;
     if (!hit) continue;
     ++hits;
     EXPECT_NEAR(depth, expected, 1e-6);
@@ -58,13 +60,22 @@ TEST(ShapesAgainstBruteForce, Triangles) {
   expect_triangles({"triangle", "triangle { <-0.8,-0.7,0.1>, <0.8,-0.5,-0.2>, <0.1,0.8,0.3> }", {}},
                    {{kA, kB, kC}});
   expect_triangles({"smooth_triangle",
-                    "smooth_triangle { <-0.8,-0.7,0.1>, x, <0.8,-0.5,-0.2>, y, <0.1,0.8,0.3>, z }", {}},
+                    "smooth_triangle { <-0.8,-0.7,0.1>, <1,0,-3>, <0.8,-0.5,-0.2>, <0,1,-3>, "
+                    "<0.1,0.8,0.3>, <-1,0,-2> }", {}},
                    {{kA, kB, kC}});
   const Vec3 s(0.5, 1.2, 2);
   expect_triangles({"scaled by transform",
-                    "smooth_triangle { <-0.8,-0.7,0.1>, x, <0.8,-0.5,-0.2>, y, <0.1,0.8,0.3>, z "
-                    "transform { scale <0.5, 1.2, 2> } }", {}},
+                    "smooth_triangle { <-0.8,-0.7,0.1>, <1,0,-3>, <0.8,-0.5,-0.2>, <0,1,-3>, "
+                    "<0.1,0.8,0.3>, <-1,0,-2> transform { scale <0.5, 1.2, 2> } }", {}},
                    {{kA * s, kB * s, kC * s}});
+}
+
+// Normals on both sides of the triangle: never hit (geometry.md 13.2).
+TEST(ShapesAgainstBruteForce, SmoothTrianglesWithOpposedNormalsAreNeverHit) {
+  const auto query = query_of({"opposed", "smooth_triangle { -x, -z, x, -z, y, z }", {}});
+  ASSERT_TRUE(query);
+  Vec3 point, normal;
+  EXPECT_FALSE(query->trace({0, 0.3, -3}, {0, 0, 1}, point, normal));
 }
 
 TEST(ShapesAgainstBruteForce, Polygons) {

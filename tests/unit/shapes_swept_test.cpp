@@ -31,7 +31,7 @@ const ShapeCase kCases[] = {
      "<-0.6,-0.6>, <0.6,-0.6> }", {}, true, 1e-8, 0.02},
     {"prism conic",
      "prism { conic_sweep linear_spline 0.2, 0.9, 5, <-0.7,-0.7>, <0.7,-0.7>, <0.7,0.7>, <-0.7,0.7>, "
-     "<-0.7,-0.7> }", {}, true, 1e-8, 0.01},
+     "<-0.7,-0.7> }", {}, true, 1e-8, 0.02},
     {"text", "text { ttf \"timrom.ttf\" \"O\" 0.6, 0 translate <-0.4, -0.35, -0.3> scale 1.8 }", {},
      true, 1e-8, 0.01},
 };

@@ -184,7 +184,11 @@ struct OcclusionSearch {
     } else {
       if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return false;
       const GeometryNode& node = data.geometry.nodes[object.node];
-      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
+      // The members of an opaque union cast their shadows whatever bounds it.
+      const bool is_bound = node.kind != NodeKind::union_ || node.clips.count;
+      if (node.bounds.count && is_bound && !data.geometry.passes_bounds(node, ray, stack)) {
+        return false;
+      }
       if (!data.geometry.closest(object.node, ray, max_t, stack, hit)) return false;
     }
     if (hit.t > kLeastShadowDepth) return true;
