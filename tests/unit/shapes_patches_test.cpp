@@ -65,8 +65,8 @@ TEST(ShapesAgainstBruteForce, Triangles) {
                    {{kA, kB, kC}});
   const Vec3 s(0.5, 1.2, 2);
   expect_triangles({"scaled by transform",
-                    "smooth_triangle { <-0.8,-0.7,0.1>, <1,0,-3>, <0.8,-0.5,-0.2>, <0,1,-3>, "
-                    "<0.1,0.8,0.3>, <-1,0,-2> transform { scale <0.5, 1.2, 2> } }", {}},
+                    "smooth_triangle { <-0.8,-0.7,0.1>, <0.1,0,-3>, <0.8,-0.5,-0.2>, <0,0.1,-3>, "
+                    "<0.1,0.8,0.3>, <-0.1,0,-2> transform { scale <0.5, 1.2, 2> } }", {}},
                    {{kA * s, kB * s, kC * s}});
 }
 
