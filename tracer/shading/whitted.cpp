@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <new>
+#include <optional>
 
 #include "tracer/shading/reflectance.h"
 
@@ -162,11 +163,11 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     // The layer's normal and colour.
     Vec3 normal = hit.context.normal;
     const TextureContext* context = &hit.context;
-    TextureContext bumped;
+    std::optional<TextureContext> bumped;
     if (layer.normal) {
       bumped = hit.context;
-      normal = layer_normal(layer, frames, point, bumped);
-      context = &bumped;
+      normal = layer_normal(layer, frames, point, *bumped);
+      context = &*bumped;
     }
     if (!first_layer) {
       first_layer = &layer;
