@@ -30,27 +30,34 @@ float round_up(double x) { return -round_down(-x); }
 }  // namespace
 
 void Bvh::build(const std::vector<Bounds>& boxes) {
+  build(boxes.size(), [&](uint32_t i) { return boxes[i]; });
+}
+
+void Bvh::build(size_t count, const std::function<Bounds(uint32_t)>& box_of) {
   nodes_.clear();
   items_.clear();
   bounds_ = Bounds();
-  if (boxes.empty()) return;
-  for (const Bounds& box : boxes) bounds_.extend(box);
+  if (count == 0) return;
+  for (uint32_t i = 0; i < count; ++i) bounds_.extend(box_of(i));
   center_ = bounds_.center();
   // Whatever is computed in single precision from points near the boxes errs by less than this.
   const Vec3 half = 0.5 * bounds_.size();
   const double margin = kMargin * std::max({half.x, half.y, half.z}) + 1e-30;
   reach_ = {bounds_.min - Vec3(4 * margin), bounds_.max + Vec3(4 * margin)};
-  std::vector<BvhBuildItem> rounded(boxes.size());
-  for (size_t i = 0; i < boxes.size(); ++i) {
-    rounded[i].item = static_cast<uint32_t>(i);
+  std::vector<BvhBuildItem> rounded(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const Bounds box = box_of(i);
+    rounded[i].item = i;
     for (int axis = 0; axis < 3; ++axis) {
-      rounded[i].low[axis] = round_down(boxes[i].min[axis] - center_[axis] - margin);
-      rounded[i].high[axis] = round_up(boxes[i].max[axis] - center_[axis] + margin);
+      rounded[i].low[axis] = round_down(box.min[axis] - center_[axis] - margin);
+      rounded[i].high[axis] = round_up(box.max[axis] - center_[axis] + margin);
     }
   }
-  nodes_.reserve(boxes.size() / 4 + 1);
+  nodes_.reserve(count / 4 + 1);
   build_bvh_nodes(rounded, nodes_, items_);
-  nodes_.shrink_to_fit();
+  rounded = {};
+  // A copy to save little would need more than it saves.
+  if (nodes_.capacity() - nodes_.size() > nodes_.size() / 2) nodes_.shrink_to_fit();
 }
 
 void Bvh::visit_ray(const BvhRay& ray, double t_max, BvhRayVisitor visitor,

@@ -413,8 +413,6 @@ bool Geometry::closest(uint32_t index, const GeometryRay& ray, double t_max, Hit
 void Geometry::finish_node(uint32_t index) {
   enclose(index);
   GeometryNode& node = nodes[index];
-  const Vec3 margin = 1e-9 * (glm::abs(node.surface.min) + glm::abs(node.surface.max)) + Vec3(1e-9);
-  node.reach = {node.surface.min - margin, node.surface.max + margin};
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
   node.is_swept = is_of_convex_solids(node);
@@ -432,14 +430,13 @@ void Geometry::finish_node(uint32_t index) {
 
 void Geometry::enclose(uint32_t index) {
   GeometryNode& node = nodes[index];
-  node.surface = Bounds::everything();
+  node.reach = Bounds::everything();
   if (node.kind == NodeKind::shape) {
     Bounds box = node.shape->bounds();
     if (!box.is_empty() && box.is_bounded() && node.shape->is_solid_within_bounds()) {
       if (node.transform >= 0) box = transforms[node.transform].bounds(box);
-      const Vec3 size = glm::max(glm::abs(box.min), glm::abs(box.max));
-      const Vec3 margin = size * 1e-9 + Vec3(1e-12);
-      node.surface = {box.min - margin, box.max + margin};
+      const Vec3 margin = 2e-9 * (glm::abs(box.min) + glm::abs(box.max)) + Vec3(1e-9);
+      node.reach = {box.min - margin, box.max + margin};
       node.surface_is_bounded = box.is_bounded();
       node.contains_outside = node.inverted;
     }
@@ -464,20 +461,20 @@ void Geometry::enclose(uint32_t index) {
       all_bounded = false;
       continue;
     }
-    joined.extend(member.surface);
+    joined.extend(member.reach);
     if (member.contains_outside != is_intersection) outside = !is_intersection;
     if (is_intersection && !member.contains_outside) {
-      common.clip(member.surface);
+      common.clip(member.reach);
       has_common = true;
     }
   }
   if (is_intersection && has_common) {
-    node.surface = common;
+    node.reach = common;
     node.surface_is_bounded = true;
     node.contains_outside = false;
     if (common.is_empty()) node.kind = NodeKind::nothing;
   } else if (all_bounded && !joined.is_empty()) {
-    node.surface = joined;
+    node.reach = joined;
     node.surface_is_bounded = true;
     node.contains_outside = outside;
   }
@@ -495,9 +492,9 @@ void Geometry::enclose(uint32_t index) {
     if (member.kind == NodeKind::nothing && !member.has_object) continue;
     // Members that decide far from their surface are always asked.
     if (member.surface_is_bounded && member.contains_outside == is_intersection &&
-        !member.surface.is_empty()) {
+        !member.reach.is_empty()) {
       bounded.push_back(i);
-      boxes.push_back(member.surface);
+      boxes.push_back(member.reach);
     } else {
       tree->others.push_back(i);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -35,7 +36,7 @@ struct GeometryNode {
   bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
   bool has_object = true;       // false: a light without looks_like takes no part in inside tests
-  // Outside `surface` the node contains all points (true) or none (false); where it is bounded.
+  // Outside `reach` the node contains all points (true) or none (false); where it is bounded.
   bool contains_outside = false;
   bool surface_is_bounded = false;
   int32_t transform = -1;       // of a shape, in Geometry::transforms
@@ -43,8 +44,7 @@ struct GeometryNode {
   const Shape* shape = nullptr;
   NodeRange children, clips, bounds;
   int32_t tree = -1;            // of many children: Geometry::trees
-  Bounds surface;               // encloses the surface
-  Bounds reach;                 // `surface` and a hair more: outside of it nothing happens
+  Bounds reach;                 // the surface and a hair more: outside of it nothing happens
 };
 
 // The children of a composite, those with bounded surfaces in a hierarchy.
@@ -82,7 +82,7 @@ class Geometry {
   std::vector<GeometryNode> nodes;
   std::vector<uint32_t> lists;
   std::vector<Transform> transforms;
-  std::vector<std::shared_ptr<const Shape>> shapes;  // owned
+  std::deque<std::shared_ptr<const Shape>> shapes;  // owned; in pieces, to fill gaps
   std::vector<std::unique_ptr<ChildTree>> trees;
 
   // The nearest hit of one node with kLeastHitDepth <= t < t_max, by the rules for one object
@@ -98,7 +98,7 @@ class Geometry {
   bool inside(uint32_t node, const Vec3& point) const;
   bool inside_unclipped(uint32_t node, const Vec3& point) const;
 
-  // Fills in surface, contains_outside and the child tree of a node whose children are done.
+  // Fills in reach, contains_outside and the child tree of a node whose children are done.
   void finish_node(uint32_t node);
 
  private:

@@ -65,7 +65,9 @@ ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
   const WorldPatternServices services(texture_settings(scene, options), scene.settings);
   const TextureSettings& settings = services.settings();
   std::vector<bool> opaque;
-  for (TexturePtr& node : world->take_textures()) {
+  std::vector<TexturePtr> nodes = world->take_textures();
+  textures.reserve(nodes.size());
+  for (TexturePtr& node : nodes) {
     textures.push_back(compile_texture(*node, settings));
     opaque.push_back(textures.back()->is_opaque);
     for (const TextureLayer& layer : textures.back()->layers) {
@@ -75,6 +77,7 @@ ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
     }
     node.reset();
   }
+  nodes = {};
   world->set_opaque_textures(std::move(opaque));
 
   for (const WorldLight& light : world->lights()) lights.emplace_back(*light.node);

@@ -13,6 +13,8 @@ namespace durer {
 
 class TextureTable {
  public:
+  // Makes room for as many textures.
+  void expect(size_t textures) { textures_.reserve(textures); }
   // The number of the texture at its place; equal textures at equal places share one.
   uint32_t index_of(const MovedTexture& texture);
   // Whether looking it up needs the surface's uv.

@@ -138,8 +138,8 @@ uint32_t WorldBuilder::new_node() {
 
 void WorldBuilder::expect(size_t objects) {
   data_.geometry.nodes.reserve(objects);
-  data_.geometry.shapes.reserve(objects);
   data_.appearance.reserve(objects);
+  data_.textures.expect(objects);
   data_.objects.reserve(objects);
   data_.scene.objects.reserve(objects);
 }
@@ -510,7 +510,7 @@ void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
     if (top.instance >= 0 || top.box.is_infinite()) continue;
     const GeometryNode& node = data_.geometry.nodes[top.node];
     if (is_seen_outside_box(node, set)) continue;
-    top.is_cut_off = !node.surface_is_bounded || !encloses(top.box.to_bounds(), node.surface);
+    top.is_cut_off = !node.surface_is_bounded || !encloses(top.box.to_bounds(), node.reach);
   }
   fill_search_list(data_.geometry, set, [](uint32_t) { return true; }, set.all);
 }
@@ -519,7 +519,7 @@ Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevel
   if (top.instance < 0) {
     const GeometryNode& node = geometry.nodes[top.node];
     if (is_seen_outside_box(node, set)) {
-      return node.surface_is_bounded ? node.surface : Bounds::everything();
+      return node.surface_is_bounded ? node.reach : Bounds::everything();
     }
   }
   return top.box.is_infinite() ? Bounds::everything() : top.box.to_bounds();
@@ -527,37 +527,37 @@ Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevel
 
 void fill_search_list(const Geometry& geometry, const ObjectSet& set,
                       const std::function<bool(uint32_t)>& wanted, SearchList& list) {
-  std::vector<Bounds> boxes;
-  std::vector<SearchItem> bounded;
-  boxes.reserve(set.objects.size());
-  bounded.reserve(set.objects.size());
-  for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    const TopLevelObject& top = set.objects[i];
-    const Bounds box = search_box(geometry, set, top);
-    if (box.is_empty() || !wanted(i)) continue;
+  const auto item_of = [&](uint32_t object) {
+    const TopLevelObject& top = set.objects[object];
     SearchItem item;
-    item.object = i;
+    item.object = object;
     item.hidden = top.hidden;
-    if (top.instance < 0) {
-      const GeometryNode& node = geometry.nodes[top.node];
-      if (node.kind == NodeKind::shape && !node.clips.count && !node.bounds.count &&
-          !top.is_cut_off) {
-        item.shape = node.shape;
-        item.node = top.node;
-        item.transform = node.transform;
-        item.shape_kind = node.shape_kind;
-      }
+    if (top.instance >= 0) return item;
+    const GeometryNode& node = geometry.nodes[top.node];
+    if (node.kind == NodeKind::shape && !node.clips.count && !node.bounds.count &&
+        !top.is_cut_off) {
+      item.shape = node.shape;
+      item.node = top.node;
+      item.transform = node.transform;
+      item.shape_kind = node.shape_kind;
     }
-    if (!box.is_bounded()) {
-      list.infinite.push_back(item);
+    return item;
+  };
+  std::vector<uint32_t> bounded;  // items are made once their order is known: they are large
+  for (uint32_t i = 0; i < set.objects.size(); ++i) {
+    const Bounds box = search_box(geometry, set, set.objects[i]);
+    if (box.is_empty() || !wanted(i)) continue;
+    if (box.is_bounded()) {
+      bounded.push_back(i);
     } else {
-      bounded.push_back(item);
-      boxes.push_back(box);
+      list.infinite.push_back(item_of(i));
     }
   }
-  list.bvh.build(boxes);
+  list.bvh.build(bounded.size(), [&](uint32_t i) {
+    return search_box(geometry, set, set.objects[bounded[i]]);
+  });
   list.finite.reserve(bounded.size());
-  for (const uint32_t i : list.bvh.items()) list.finite.push_back(bounded[i]);
+  for (const uint32_t i : list.bvh.items()) list.finite.push_back(item_of(bounded[i]));
 }
 
 }  // namespace durer
