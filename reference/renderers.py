@@ -4,6 +4,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import uuid
 from dataclasses import asdict, dataclass
@@ -17,6 +18,9 @@ COMMON_OPTIONS = ("-D", "+FN16")
 POVRAY_STREAMS = ("-V", "-GA", "+GDdebug_stream.txt", "+GFfatal_stream.txt")
 DURER_STREAMS = ("-V", "-GD", "-GR", "-GS")
 DURER_MEMORY_LIMIT = 12 << 30
+BUSY_MACHINE = "worker thread startup"  # povray gives up where its threads wait for long
+STARTS = 5
+STOPPED = (-signal.SIGINT, -signal.SIGTERM)  # from outside
 
 
 @dataclass
@@ -65,7 +69,16 @@ def povray(scene, options, cpu_limit=180, nice=10):
 
     fresh = entry.parent / f".{uuid.uuid4().hex}"
     fresh.mkdir(parents=True)
-    run = run_povray(scene, options, cpu_limit, nice, fresh / "picture.png")
+    for _ in range(STARTS):
+        run = run_povray(scene, options, cpu_limit, nice, fresh / "picture.png")
+        if BUSY_MACHINE not in run.error:
+            break
+    else:
+        shutil.rmtree(fresh, ignore_errors=True)
+        raise RuntimeError(f"povray does not start on this busy machine: {run.error}")
+    if run.code in STOPPED and not run.timed_out:  # which says nothing of the scene
+        shutil.rmtree(fresh, ignore_errors=True)
+        return run
     stored = asdict(run)
     del stored["path"]
     # Written aside and renamed: several worktrees may share the cache at one time.

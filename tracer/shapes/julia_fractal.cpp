@@ -6,6 +6,7 @@
 // near the origin. A ray goes in steps of an estimated distance, at least 1 / precision, until it
 // finds itself on the other side, and then halves its way back.
 #include <algorithm>
+#include <vector>
 
 #include "tracer/shapes/julia_maps.h"
 #include "tracer/shapes/shape.h"
@@ -16,6 +17,14 @@ namespace {
 constexpr double kLeastStep = 1e-7;  // of the search for the border
 constexpr double kLeastDistance = 1e-8;
 constexpr double kLongestStride = 30;  // in units of the precision
+
+// The orbit that this thread followed last. Where it has left before `count` points, the rest is of
+// orbits before it: POV-Ray makes the normals of the complex functions of such mixtures.
+Vec4* remembered_orbit(size_t count) {
+  thread_local std::vector<Vec4> orbit;
+  if (orbit.size() < count) orbit.resize(count);
+  return orbit.data();
+}
 
 template <typename Map>
 class JuliaFractal final : public Shape {
@@ -36,7 +45,7 @@ class JuliaFractal final : public Shape {
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
     Vec3 direction = placed_.inverse_direction(ray.direction);
-    const double scale = 1 / length(direction);
+    const double scale = is_moved_ ? 1 / length(direction) : 1;
     direction *= scale;
     const Ray local{placed_.inverse_point(ray.origin), direction};
     double t, end;
@@ -54,7 +63,7 @@ class JuliaFractal final : public Shape {
       if (!(t < end)) return;
       const bool is_inside = march(local, t, distance);
       if (is_inside == was_inside) continue;
-      out.push(border(local, t, step, was_inside) * scale);
+      push(border(local, t, step, was_inside), local, scale, out);
       if (!ray.csg_child) return;
       was_inside = is_inside;
     }
@@ -64,8 +73,12 @@ class JuliaFractal final : public Shape {
     return is_in_set(placed_.inverse_point(world_point)) != inverted_;
   }
 
-  Vec3 normal(const Vec3& world_point, const ShapeHit&) const override {
-    Vec4 z = start(placed_.inverse_point(world_point), Map::kMixesUpStart);
+  Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const override {
+    if constexpr (Map::kMixesUpStart) {
+      const double third = 1 - std::abs(hit.u) - std::abs(hit.v);
+      return placed_.normal({hit.u, hit.v, hit.part ? -third : third});
+    }
+    Vec4 z = start(placed_.inverse_point(world_point));
     if constexpr (Map::kQuaternion) {
       Vec4 v[3] = {Vec4(1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0)};
       for (int k = 0; k < iterations_; ++k) {
@@ -74,9 +87,8 @@ class JuliaFractal final : public Shape {
       }
       return placed_.normal({glm::dot(v[0], z), glm::dot(v[1], z), glm::dot(v[2], z)});
     } else {
-      // Of an orbit that leaves, the part before it does.
       Vec4 q(1, 0, 0, 0);
-      for (int k = 0; k < iterations_ && glm::dot(z, z) <= escape2_; ++k) {
+      for (int k = 0; k < iterations_; ++k) {
         q = k == 0 ? map_.factor(z, 0) : hypercomplex_product(q, map_.factor(z, k));
         z = map_(z);
       }
@@ -88,6 +100,7 @@ class JuliaFractal final : public Shape {
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
     auto moved = std::make_shared<JuliaFractal>(*this);
     moved->placed_ = placed_.then(transform);
+    moved->is_moved_ = true;
     moved->inverted_ = false;
     return moved;
   }
@@ -111,19 +124,45 @@ class JuliaFractal final : public Shape {
   }
 
   // The point in fourfold space.
-  Vec4 start(const Vec3& p, bool mixed_up) const {
-    const double z = mixed_up ? p.y : p.z;
-    return {p.x, p.y, z,
-            (slice_distance_ - slice_.x * p.x - slice_.y * p.y - slice_.z * z) / slice_.w};
+  Vec4 start(const Vec3& p) const {
+    return {p.x, p.y, p.z,
+            (slice_distance_ - slice_.x * p.x - slice_.y * p.y - slice_.z * p.z) / slice_.w};
   }
 
   bool is_in_set(const Vec3& p) const {
-    Vec4 z = start(p, Map::kMixesUpStart);
+    Vec4* orbit = nullptr;
+    if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
+    Vec4 z = start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p);
+    remember(orbit, 0, z);
     for (int i = 0; i < iterations_; ++i) {
       if (glm::dot(z, z) > escape2_) return false;
       z = map_(z);
+      remember(orbit, i + 1, z);
     }
     return true;
+  }
+
+  static void remember([[maybe_unused]] Vec4* orbit, [[maybe_unused]] int i,
+                       [[maybe_unused]] const Vec4& z) {
+    if constexpr (Map::kMixesUpStart) orbit[i] = z;
+  }
+
+  // With its normal, where that depends on the points that the ray has tried: the first two of its
+  // components, their absolute values adding up to 1, and the third one's sign.
+  void push(double t, const Ray& ray, double scale, HitStack& out) const {
+    if constexpr (Map::kMixesUpStart) {
+      is_in_set(ray.at(t));
+      const Vec4* orbit = remembered_orbit(iterations_ + 1);
+      Vec4 q = map_.factor(orbit[0], 0);
+      for (int k = 1; k < iterations_; ++k) {
+        q = hypercomplex_product(q, map_.factor(orbit[k], k));
+      }
+      const Vec3 n = gradient(q, orbit[iterations_]);
+      const double size = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+      out.push(t * scale, n.z < 0, static_cast<float>(n.x / size), static_cast<float>(n.y / size));
+    } else {
+      out.push(t * scale);
+    }
   }
 
   static Vec3 gradient(const Vec4& q, const Vec4& z) {
@@ -135,7 +174,7 @@ class JuliaFractal final : public Shape {
   // Whether the point at t is in the set, and how far the set is.
   bool march(const Ray& ray, double t, double& distance) const {
     distance = precision_;
-    Vec4 z = start(ray.at(t), false);
+    Vec4 z = start(ray.at(t));
     if constexpr (Map::kQuaternion) {
       double product2 = 1, shrink = 1;
       for (int i = 0; i < iterations_; ++i) {
@@ -150,6 +189,9 @@ class JuliaFractal final : public Shape {
       }
       return true;
     } else {
+      Vec4* orbit = nullptr;
+      if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
+      remember(orbit, 0, z);
       Vec4 q(1, 0, 0, 0);
       for (int i = 0; i < iterations_; ++i) {
         const double size2 = glm::dot(z, z);
@@ -162,6 +204,7 @@ class JuliaFractal final : public Shape {
         }
         q = i == 0 ? map_.factor(z, 0) : hypercomplex_product(q, map_.factor(z, i));
         z = map_(z);
+        remember(orbit, i + 1, z);
       }
       return true;
     }
@@ -185,6 +228,7 @@ class JuliaFractal final : public Shape {
   double precision_;  // the shortest step
   double radius_, escape2_;
   bool inverted_ = false;
+  bool is_moved_ = false;  // else directions are of unit length, to the last bit
   Transform placed_;
 };
 

@@ -182,19 +182,18 @@ struct OcclusionSearch {
       const GeometryRay inner_ray = local_ray(copy, ray);
       return OcclusionSearch{data, data.groups[copy.group]->set, inner_ray, stack, max_t}.run();
     } else {
-      if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return false;
-      const GeometryNode& node = data.geometry.nodes[object.node];
-      // The members of an opaque union cast their shadows whatever bounds it.
-      const bool is_bound = node.kind != NodeKind::union_ || node.clips.count;
-      if (node.bounds.count && is_bound && !data.geometry.passes_bounds(node, ray, stack)) {
+      if (object.is_cut_off && item.node == object.node &&
+          !object.box.is_met(ray.origin, ray.direction)) {
         return false;
       }
-      if (!data.geometry.closest(object.node, ray, max_t, stack, hit)) return false;
+      const GeometryNode& node = data.geometry.nodes[item.node];
+      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
+      if (!data.geometry.closest(item.node, ray, max_t, stack, hit)) return false;
     }
     if (hit.t > kLeastShadowDepth) return true;
     // The nearest one is too near to count: look at all.
     const size_t base = stack.size();
-    data.geometry.all_hits(object.node, ray, {0, max_t}, stack);
+    data.geometry.all_hits(item.node, ray, {0, max_t}, stack);
     bool found = false;
     for (size_t i = base; i < stack.size(); ++i) {
       found |= stack[i].t > kLeastShadowDepth && stack[i].t < max_t;
@@ -228,6 +227,8 @@ struct World::Impl {
   std::vector<bool> opaque_textures;
 
   bool is_opaque_object(uint32_t node) const;
+  bool is_loose_union(uint32_t node) const;
+  void add_opaque_members(uint32_t object, uint32_t node, std::vector<LooseMember>& members) const;
   void mark_opaque(ObjectSet& set) const;
   void add_shares(uint32_t node, const Vec3& point, SurfacePoint& out) const;
   int containing(const ObjectSet& set, const Vec3& point, int64_t moved_from, int64_t moved_to,
@@ -398,6 +399,29 @@ bool World::Impl::is_opaque_object(uint32_t index) const {
   return true;
 }
 
+// A union that is bound somewhere: its opaque members cast their shadows whatever bounds it.
+bool World::Impl::is_loose_union(uint32_t index) const {
+  const GeometryNode& node = data.geometry.nodes[index];
+  if (node.kind != NodeKind::union_ || node.clips.count) return false;
+  if (node.bounds.count) return true;
+  for (uint32_t i = 0; i < node.children.count; ++i) {
+    if (is_loose_union(data.geometry.lists[node.children.first + i])) return true;
+  }
+  return false;
+}
+
+void World::Impl::add_opaque_members(uint32_t object, uint32_t index,
+                                     std::vector<LooseMember>& members) const {
+  if (is_loose_union(index)) {
+    const GeometryNode& node = data.geometry.nodes[index];
+    for (uint32_t i = 0; i < node.children.count; ++i) {
+      add_opaque_members(object, data.geometry.lists[node.children.first + i], members);
+    }
+  } else if (is_opaque_object(index)) {
+    members.push_back({object, index});
+  }
+}
+
 // Sorts the casters of shadows into opaque and clear ones; the members of copies answer for
 // themselves.
 void World::Impl::mark_opaque(ObjectSet& set) const {
@@ -408,8 +432,14 @@ void World::Impl::mark_opaque(ObjectSet& set) const {
       const ObjectSet& inner = data.groups[data.instances[top.instance].group]->set;
       return !(opaque ? inner.opaque_casters() : inner.clear_casters()).is_empty();
     }
-    return is_opaque_object(top.node) == opaque;
+    return is_opaque_object(top.node) == opaque && !(opaque && is_loose_union(top.node));
   };
+  std::vector<LooseMember> members;
+  for (uint32_t i = 0; i < set.objects.size(); ++i) {
+    const TopLevelObject& top = set.objects[i];
+    if (top.instance >= 0 || top.hidden & kShadowRay || !is_loose_union(top.node)) continue;
+    add_opaque_members(i, top.node, members);
+  }
   const auto list = [&](bool opaque, std::unique_ptr<SearchList>& casters) {
     casters.reset();
     const auto wanted = [&](uint32_t i) { return casts(i, opaque); };
@@ -417,7 +447,8 @@ void World::Impl::mark_opaque(ObjectSet& set) const {
     for (uint32_t i = 0; i < set.objects.size() && all; ++i) all = wanted(i);
     if (all) return;
     casters = std::make_unique<SearchList>();
-    fill_search_list(data.geometry, set, wanted, *casters);
+    fill_search_list(data.geometry, set, wanted, opaque ? members : std::vector<LooseMember>{},
+                     *casters);
   };
   list(true, set.opaque);
   list(false, set.clear);

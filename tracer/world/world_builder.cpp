@@ -512,7 +512,7 @@ void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
     if (is_seen_outside_box(node, set)) continue;
     top.is_cut_off = !node.surface_is_bounded || !encloses(top.box.to_bounds(), node.reach);
   }
-  fill_search_list(data_.geometry, set, [](uint32_t) { return true; }, set.all);
+  fill_search_list(data_.geometry, set, [](uint32_t) { return true; }, {}, set.all);
 }
 
 Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevelObject& top) {
@@ -526,36 +526,47 @@ Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevel
 }
 
 void fill_search_list(const Geometry& geometry, const ObjectSet& set,
-                      const std::function<bool(uint32_t)>& wanted, SearchList& list) {
-  const auto item_of = [&](uint32_t object) {
-    const TopLevelObject& top = set.objects[object];
+                      const std::function<bool(uint32_t)>& wanted,
+                      const std::vector<LooseMember>& members, SearchList& list) {
+  const auto is_whole = [&](const LooseMember& part) {
+    return part.node == set.objects[part.object].node;
+  };
+  const auto box_of = [&](const LooseMember& part) {
+    if (is_whole(part)) return search_box(geometry, set, set.objects[part.object]);
+    const GeometryNode& node = geometry.nodes[part.node];
+    return node.surface_is_bounded ? node.reach : Bounds::everything();
+  };
+  const auto item_of = [&](const LooseMember& part) {
+    const TopLevelObject& top = set.objects[part.object];
     SearchItem item;
-    item.object = object;
+    item.object = part.object;
     item.hidden = top.hidden;
     if (top.instance >= 0) return item;
-    const GeometryNode& node = geometry.nodes[top.node];
+    item.node = part.node;
+    const GeometryNode& node = geometry.nodes[part.node];
     if (node.kind == NodeKind::shape && !node.clips.count && !node.bounds.count &&
-        !top.is_cut_off) {
+        !(top.is_cut_off && is_whole(part))) {
       item.shape = node.shape;
-      item.node = top.node;
       item.transform = node.transform;
       item.shape_kind = node.shape_kind;
     }
     return item;
   };
-  std::vector<uint32_t> bounded;  // items are made once their order is known: they are large
-  for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    const Bounds box = search_box(geometry, set, set.objects[i]);
-    if (box.is_empty() || !wanted(i)) continue;
+  std::vector<LooseMember> bounded;  // items are made once their order is known: they are large
+  const auto add = [&](const LooseMember& part) {
+    const Bounds box = box_of(part);
+    if (box.is_empty()) return;
     if (box.is_bounded()) {
-      bounded.push_back(i);
+      bounded.push_back(part);
     } else {
-      list.infinite.push_back(item_of(i));
+      list.infinite.push_back(item_of(part));
     }
+  };
+  for (uint32_t i = 0; i < set.objects.size(); ++i) {
+    if (wanted(i)) add({i, set.objects[i].node});
   }
-  list.bvh.build(bounded.size(), [&](uint32_t i) {
-    return search_box(geometry, set, set.objects[bounded[i]]);
-  });
+  for (const LooseMember& member : members) add(member);
+  list.bvh.build(bounded.size(), [&](uint32_t i) { return box_of(bounded[i]); });
   list.finite.reserve(bounded.size());
   for (const uint32_t i : list.bvh.items()) list.finite.push_back(item_of(bounded[i]));
 }

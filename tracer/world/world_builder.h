@@ -29,7 +29,7 @@ struct SearchItem {
   const Shape* shape = nullptr;  // of a lone shape, without clips and bounds; null: ask the node
   int32_t transform = -1;        // of that shape, in Geometry::transforms
   uint32_t object = 0;           // position in ObjectSet::objects
-  uint32_t node = 0;             // in Geometry::nodes
+  uint32_t node = 0;             // in Geometry::nodes; of copies without meaning
   uint8_t hidden = 0;            // RayKind bits
   uint8_t shape_kind = 0;        // of that shape, for statistics: ShapeNode::index()
 };
@@ -99,9 +99,16 @@ struct WorldData {
 // Where rays look for an object. Empty: never met; unbounded: met everywhere.
 Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevelObject& top);
 
-// Lists the objects of a set that `wanted` says yes to.
+// A member of a union that stands for itself among the casters of shadows.
+struct LooseMember {
+  uint32_t object;  // position in ObjectSet::objects
+  uint32_t node;
+};
+
+// Lists the objects of a set that `wanted` says yes to, and members of others.
 void fill_search_list(const Geometry& geometry, const ObjectSet& set,
-                      const std::function<bool(uint32_t)>& wanted, SearchList& list);
+                      const std::function<bool(uint32_t)>& wanted,
+                      const std::vector<LooseMember>& members, SearchList& list);
 
 class WorldBuilder {
  public:
