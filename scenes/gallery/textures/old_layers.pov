@@ -17,7 +17,7 @@ box { <2,-2,0>,<2.9,-1.1,1> texture { L } }
 box { <-3,-1,0>,<-2.1,-0.1,1> texture { B } texture { L } }
 box { <-2,-1,0>,<-1.1,-0.1,1> texture { pigment { rgbf <0.2,0.3,0.8,0.3> } finish { F } } }
 box { <-1,-1,0>,<-0.1,-0.1,1> texture { B } texture { pigment { average pigment_map { [1 rgbf <0.2,0.3,0.8,0.3>][2 rgbft <0.9,0.3,0.1,0.7,0.1>] } } finish { F } } }
-box { <0,-1,0>,<0.9,-0.1,1> texture { B } texture { pigment { image_map { png "../images/rgba.png" filter all 0.3 } } finish { F } } }
+box { <0,-1,0>,<0.9,-0.1,1> texture { B } texture { pigment { image_map { png "rgba.png" filter all 0.3 } } finish { F } } }
 box { <1,-1,0>,<1.9,-0.1,1> texture { B } texture { pigment { wood } finish { F } } texture { pigment { P } finish { F } } }
 box { <2,-1,0>,<2.9,-0.1,1> texture { gradient x texture_map { [0 B][1 pigment { P } finish { F } ] } } }
 plane { -z, -20 pigment { checker rgb 1 rgb 0.5 } finish { F } }
