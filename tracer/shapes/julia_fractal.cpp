@@ -100,7 +100,7 @@ class JuliaFractal final : public Shape {
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
     auto moved = std::make_shared<JuliaFractal>(*this);
     moved->placed_ = placed_.then(transform);
-    moved->is_moved_ = true;
+    moved->is_moved_ = is_moved_ || !transform.is_identity();
     moved->inverted_ = false;
     return moved;
   }
