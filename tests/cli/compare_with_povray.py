@@ -7,17 +7,18 @@ cached, and without povray the test fails.
 
     compare_with_povray.py DURER [PART OF A CASE]
 """
-import concurrent.futures
 import io
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 from PIL import Image
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import installed_povray  # noqa: E402
 
 SECONDS = 120
 
@@ -194,30 +195,18 @@ def differences(povray, durer):
 
 
 def main():
-    durer = str(Path(sys.argv[1]).resolve())
-    part = sys.argv[2] if len(sys.argv) > 2 else ""
-    povray = shutil.which("povray")
-    if not povray:
-        print("povray is not installed: nothing to compare with")
-        return 1
+    povray, durer, part = installed_povray.programs()
 
-    def run(case):
+    def check(case):
         arguments, files, environment = case
         size = [] if any(word.startswith(SIZED) for word in arguments[:2]) or files or environment \
             else ["+W10", "+H8"]
         arguments = [*size, *arguments, "-D", "+WT1"]
-        return differences(Outcome(povray, [*arguments, "-P"], files, environment),
-                           Outcome(durer, arguments, files, environment))
+        return "\n    ".join(differences(Outcome(povray, [*arguments, "-P"], files, environment),
+                                         Outcome(durer, arguments, files, environment)))
 
-    chosen = [case for case in cases() if part in " ".join(case[0])]
-    # povray sleeps most of its run, so more run at a time than there are processors.
-    with concurrent.futures.ThreadPoolExecutor(6) as pool:
-        answers = list(pool.map(run, chosen))
-    bad = [(case, answer) for case, answer in zip(chosen, answers) if answer]
-    for case, answer in bad:
-        print(" ".join(case[0]), *answer, sep="\n    ")
-    print(f"{len(chosen) - len(bad)} of {len(chosen)} cases do what povray does")
-    return 1 if bad or not chosen else 0
+    return installed_povray.exit_code([case for case in cases() if part in " ".join(case[0])], check,
+                                      lambda case: " ".join(case[0]), "cases do what povray does")
 
 
 if __name__ == "__main__":

@@ -6,13 +6,14 @@ caret. Nothing is cached, and without povray the test fails.
 
     malformed_test.py DURER [PART OF A NAME]
 """
-import concurrent.futures
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import installed_povray  # noqa: E402
 
 SCENES = Path(__file__).resolve().parent / "malformed"
 LEAST_SCENES = 100
@@ -65,24 +66,13 @@ def check(scene, povray, durer):
 
 
 def main():
-    durer = str(Path(sys.argv[1]).resolve())
-    part = sys.argv[2] if len(sys.argv) > 2 else ""
-    povray = shutil.which("povray")
-    if not povray:
-        print("povray is not installed: nothing to compare with")
-        return 1
+    povray, durer, part = installed_povray.programs()
     scenes = sorted(scene for scene in SCENES.glob("*.pov") if part in scene.name)
     if not part and len(scenes) < LEAST_SCENES:
         print(f"only {len(scenes)} scenes in {SCENES}")
         return 1
-    # povray sleeps most of its run, so more run at a time than there are processors.
-    with concurrent.futures.ThreadPoolExecutor(6) as pool:
-        answers = list(pool.map(lambda scene: check(scene, povray, durer), scenes))
-    failures = [(scene, answer) for scene, answer in zip(scenes, answers) if answer]
-    for scene, answer in failures:
-        print(f"{scene.name}: {answer}")
-    print(f"{len(scenes) - len(failures)} of {len(scenes)} scenes stop where povray stops")
-    return 1 if failures or not scenes else 0
+    return installed_povray.exit_code(scenes, lambda scene: check(scene, povray, durer),
+                                      lambda scene: scene.name, "scenes stop where povray stops")
 
 
 if __name__ == "__main__":
