@@ -1,17 +1,13 @@
 // Built-in constants, float functions and vector functions (spec/language.md 7-9, 11).
 #include <chrono>
 #include <cmath>
-#include <limits>
 
-#include "parser/arithmetic.h"
+#include "parser/builtin_formulas.h"
 #include "parser/parser_state.h"
-#include "tracer/math/transform.h"
 #include "tracer/scene/object.h"
 
 namespace durer {
 namespace {
-
-constexpr double kEpsilon = 1e-10;
 
 double days_since_2000() {
   using std::chrono::microseconds;
@@ -135,24 +131,17 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
     case Keyword::now: consume(); return number(days_since_2000());
 
     // Float functions of one number
-    case Keyword::abs: return number(std::fabs(one()));
-    case Keyword::floor: return number(std::floor(one()));
-    case Keyword::ceil: return number(std::ceil(one()));
-    case Keyword::exp: return number(std::exp(one()));
-    case Keyword::sin: return number(std::sin(one()));
-    case Keyword::cos: return number(std::cos(one()));
-    case Keyword::tan: return number(std::tan(one()));
-    case Keyword::sinh: return number(std::sinh(one()));
-    case Keyword::cosh: return number(std::cosh(one()));
-    case Keyword::tanh: return number(std::tanh(one()));
-    case Keyword::atan: return number(std::atan(one()));
-    case Keyword::asinh: return number(std::asinh(one()));
-    case Keyword::acosh: return number(std::acosh(one()));
-    case Keyword::atanh: return number(std::atanh(one()));
+#define DURER_FUNCTION(name, formula) \
+  case Keyword::name: {               \
+    const double a = one();           \
+    return number(formula);           \
+  }
+    DURER_FLOAT_FUNCTIONS(DURER_FUNCTION)
+#undef DURER_FUNCTION
     case Keyword::acos:
     case Keyword::asin: {
       double value = one();
-      if (value > 1 || value < -1) {
+      if (!builtin::has_arc(value)) {
         message(Severity::warning, std::string("the argument of ") +
                                        (keyword == Keyword::acos ? "acos" : "asin") +
                                        " is outside -1..1 and was clamped");
@@ -162,45 +151,45 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
     }
     case Keyword::sqrt: {
       const double value = one();
-      if (value < 0) error("sqrt of a negative number, " + std::to_string(value));
+      if (!builtin::has_root(value)) error("sqrt of a negative number, " + std::to_string(value));
       return number(std::sqrt(value));
     }
     case Keyword::ln:
     case Keyword::log: {
       const double value = one();
-      if (value <= 0) {
+      if (!builtin::has_logarithm(value)) {
         error(std::string(keyword == Keyword::ln ? "ln" : "log") + " of " + std::to_string(value) +
               ", which is not positive");
       }
       return number(keyword == Keyword::ln ? std::log(value) : std::log10(value));
     }
-    case Keyword::int_: return number(to_int(one()));
-    case Keyword::degrees: return number(one() / kDegree);
-    case Keyword::radians: return number(one() * kDegree);
     case Keyword::rand: return number(next_random(one()));
     case Keyword::seed: return number(new_random_stream(one()));
 
     // Float functions of several numbers
     case Keyword::atan2:
       two();
-      if (std::fabs(first) <= kEpsilon && std::fabs(second) <= kEpsilon) {
+      if (!builtin::has_direction(first, second)) {
         error("atan2(0, 0) is not defined");
       }
       return number(std::atan2(first, second));
     case Keyword::pow:
       two();
-      if (first == 0 && second == 0) error("pow(0, 0) is not defined");
+      if (!builtin::has_power(first, second)) error("pow(0, 0) is not defined");
       return number(std::pow(first, second));
-    case Keyword::mod:
-      two();
-      return number(std::fmod(first, second));
-    case Keyword::div:
-      two();
-      return number(to_int(first / second));
-    case Keyword::min:
-      return number(fold([](double p, double q) { return q < p ? q : p; }, same));
-    case Keyword::max:
-      return number(fold([](double p, double q) { return q > p ? q : p; }, same));
+#define DURER_FUNCTION(name, formula)         \
+  case Keyword::name: {                       \
+    two();                                    \
+    const double a = first, b = second;       \
+    return number(formula);                   \
+  }
+    DURER_FLOAT_PAIR_FUNCTIONS(DURER_FUNCTION)
+#undef DURER_FUNCTION
+#define DURER_FUNCTION(name, formula) \
+  case Keyword::name:                 \
+    return number(fold([](double a, double b) { return formula; }, same));
+    DURER_FLOAT_FOLDS(DURER_FUNCTION)
+#undef DURER_FUNCTION
     case Keyword::bitwise_and:
       return number(fold([](int32_t p, int32_t q) { return p & q; }, to_int));
     case Keyword::bitwise_or:
@@ -216,9 +205,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
         if (count < 4) accept_comma();
       } while (count < 3 || (count < 4 && !peek().is(Symbol::paren_close)));
       expect(Symbol::paren_close);
-      if (argument[0] < 0) return number(argument[1]);
-      if (count == 3) return number(argument[2]);
-      return number(argument[0] == 0 ? argument[2] : argument[3]);
+      return number(argument[builtin::selected(argument[0], count)]);
     }
 
     // About identifiers, arrays, strings
@@ -238,10 +225,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       double result = shape.dimensions;
       if (keyword == Keyword::dimension_size) {
         accept_comma();
-        const int32_t which = to_int(parse_float());
-        result = which >= 1 && which <= shape.dimensions
-                     ? static_cast<double>(shape.sizes[static_cast<size_t>(which - 1)])
-                     : 0.0;
+        result = builtin::dimension_size(shape, parse_float());
       }
       expect(Symbol::paren_close);
       return number(result);
@@ -288,7 +272,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       open();
       a = parse_vector();
       expect(Symbol::paren_close);
-      return number(std::sqrt(dot(a, a)));
+      return number(builtin::vlength(a));
     }
     case Keyword::vcross: two_vectors(); return vector(cross(a, b));
     case Keyword::vnormalize: {
@@ -301,11 +285,11 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
         }
         return vector({0, 0, 0});
       }
-      return vector(a * (1 / std::sqrt(dot(a, a))));
+      return vector(builtin::vnormalize(a));
     }
     case Keyword::vrotate: {
       two_vectors();
-      return vector(Transform::rotation(b).point(a));
+      return vector(builtin::vrotate(a, b));
     }
     case Keyword::vaxis_rotate: {
       open();
@@ -315,8 +299,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       accept_comma();
       const double degrees = parse_float();
       expect(Symbol::paren_close);
-      const Vec3 axis = b / std::sqrt(dot(b, b));
-      return vector(Transform::axis_rotation(axis, degrees * kDegree).point(a));
+      return vector(builtin::vaxis_rotate(a, b, degrees));
     }
     case Keyword::vturbulence: {
       open();
@@ -337,7 +320,8 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       open();
       const ObjectPtr object = parser.accept_identifier<ObjectNode>(ValueKind::object);
       if (!object) error_expected("the name of an object");
-      if (!parser.queries().has_inside(object)) {
+      const auto* csg = std::get_if<CsgNode>(&shape_of(*object));
+      if (!(csg && csg->is_light_group) && !parser.queries().has_inside(object)) {
         error("inside() needs an object that has an inside");
       }
       accept_comma();

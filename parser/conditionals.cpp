@@ -80,9 +80,10 @@ Parser::State::Landing Parser::State::skip(int levels, bool stop_at_branches) {
       continue;
     }
     if (!token.is(Symbol::hash)) continue;
-    const Token& word = raw_next();
-    if (word.kind != TokenKind::keyword) continue;
-    switch (word.keyword) {
+    const Token* word = &raw_next();
+    while (word->is(Symbol::hash)) word = &raw_next();
+    if (word->kind != TokenKind::keyword) continue;
+    switch (word->keyword) {
       case Keyword::if_:
       case Keyword::ifdef:
       case Keyword::ifndef:
@@ -202,6 +203,14 @@ void Parser::State::do_for() {
       error("an array element cannot be the variable of a #for loop");
     }
     variable = look.token.name;
+    const ValueKind kind = look.value ? look.value->kind() : ValueKind::unset;
+    if (kind == ValueKind::macro || kind == ValueKind::file) {
+      error(quoted(variable) + " is a " + kind_name(kind) +
+            ", it cannot be the variable of a #for loop");
+    }
+    if (kind == ValueKind::function) {
+      error("function " + quoted(variable) + " is declared already", "#undef it first");
+    }
     consume();
   }
   accept_comma();
@@ -215,8 +224,10 @@ void Parser::State::do_for() {
   if (std::fabs(step) < kEpsilon) error("the step of a #for loop must not be zero");
 
   Entry* entry = symbols.find(variable);
-  if (!entry || entry->scope != symbols.innermost() || entry->alias) {
-    if (entry && entry->alias && entry->scope == symbols.innermost()) symbols.remove(*entry);
+  if (entry && entry->alias && entry->scope == symbols.innermost()) {
+    error("the variable of a #for loop cannot be a parameter that stands for the caller's variable");
+  }
+  if (!entry || entry->scope != symbols.innermost()) {
     entry = &symbols.add(variable, symbols.innermost());
   }
   entry->value = Value(start);
@@ -313,12 +324,12 @@ void Parser::State::do_break() {
         conditionals.resize(i + 1);
         return_from_macro();
         return;
+      case Kind::switch_waiting:
+        error("expected #case or #range after #switch");
       case Kind::while_loop:
       case Kind::for_loop:
       case Kind::switch_matched:
-      case Kind::switch_waiting:
         // Files that were included inside it end with it.
-        if (conditionals[i].kind == Kind::switch_waiting) --waiting_switches;
         conditionals.resize(i + 1);
         skip(levels, false);
         conditionals.pop_back();

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "parser/arithmetic.h"
+#include "parser/builtin_formulas.h"
 #include "parser/parser_state.h"
 #include "tracer/functions/compiled_function.h"
 #include "tracer/scene/function.h"
@@ -374,28 +374,15 @@ class ExpressionCompiler {
       case Keyword::false_: case Keyword::no: case Keyword::off: return number(0);
       case Keyword::clock: return number(static_cast<float>(state_.options.clock));
 
-      case Keyword::abs: return one(Operation::abs);
-      case Keyword::floor: return one(Operation::floor);
-      case Keyword::ceil: return one(Operation::ceil);
-      case Keyword::exp: return one(Operation::exp);
-      case Keyword::sin: return one(Operation::sin);
-      case Keyword::cos: return one(Operation::cos);
-      case Keyword::tan: return one(Operation::tan);
-      case Keyword::sinh: return one(Operation::sinh);
-      case Keyword::cosh: return one(Operation::cosh);
-      case Keyword::tanh: return one(Operation::tanh);
-      case Keyword::atan: return one(Operation::atan);
-      case Keyword::asinh: return one(Operation::asinh);
-      case Keyword::acosh: return one(Operation::acosh);
-      case Keyword::atanh: return one(Operation::atanh);
+#define DURER_FUNCTION(name, formula) \
+  case Keyword::name: return one(Operation::name);
+      DURER_FLOAT_FUNCTIONS(DURER_FUNCTION)
+#undef DURER_FUNCTION
       case Keyword::acos: return one(Operation::acos);
       case Keyword::asin: return one(Operation::asin);
       case Keyword::sqrt: return one(Operation::sqrt);
       case Keyword::ln: return one(Operation::ln);
       case Keyword::log: return one(Operation::log);
-      case Keyword::int_: return one(Operation::int_);
-      case Keyword::degrees: return one(Operation::degrees);
-      case Keyword::radians: return one(Operation::radians);
       case Keyword::rand: return ++randoms_ <= kCompiledRandoms && one(Operation::rand);
 
       case Keyword::atan2: return two(Operation::atan2);

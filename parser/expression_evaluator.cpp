@@ -1,10 +1,9 @@
 // Runs compiled expressions and moves the stream behind them.
 #include <cmath>
 
-#include "parser/arithmetic.h"
+#include "parser/builtin_formulas.h"
 #include "parser/parser_state.h"
 #include "tracer/functions/compiled_function.h"
-#include "tracer/math/transform.h"
 #include "tracer/scene/function.h"
 
 namespace durer {
@@ -116,10 +115,7 @@ bool Parser::State::run(CompiledExpression& code) {
         const Value* value = plain_value(step.name);
         if (!value || value->kind() != ValueKind::array) return miss();
         const ArrayShape& shape = value->as<Array>().shape;
-        const int32_t which = to_int(a);
-        to = which >= 1 && which <= shape.dimensions
-                 ? static_cast<double>(shape.sizes[static_cast<size_t>(which - 1)])
-                 : 0.0;
+        to = builtin::dimension_size(shape, a);
         break;
       }
 
@@ -137,37 +133,26 @@ bool Parser::State::run(CompiledExpression& code) {
       case Operation::either: to = is_true(a) || is_true(b) ? 1.0 : 0.0; break;
       case Operation::choose: to = is_true(r[step.name]) ? a : b; break;
 
-      case Operation::abs: to = std::fabs(a); break;
-      case Operation::floor: to = std::floor(a); break;
-      case Operation::ceil: to = std::ceil(a); break;
-      case Operation::exp: to = std::exp(a); break;
-      case Operation::sin: to = std::sin(a); break;
-      case Operation::cos: to = std::cos(a); break;
-      case Operation::tan: to = std::tan(a); break;
-      case Operation::sinh: to = std::sinh(a); break;
-      case Operation::cosh: to = std::cosh(a); break;
-      case Operation::tanh: to = std::tanh(a); break;
-      case Operation::atan: to = std::atan(a); break;
-      case Operation::asinh: to = std::asinh(a); break;
-      case Operation::acosh: to = std::acosh(a); break;
-      case Operation::atanh: to = std::atanh(a); break;
+#define DURER_FUNCTION(name, formula) \
+  case Operation::name: to = formula; break;
+      DURER_FLOAT_FUNCTIONS(DURER_FUNCTION)
+      DURER_FLOAT_PAIR_FUNCTIONS(DURER_FUNCTION)
+      DURER_FLOAT_FOLDS(DURER_FUNCTION)
+#undef DURER_FUNCTION
       case Operation::acos:
       case Operation::asin:
-        if (a > 1 || a < -1) return miss();
+        if (!builtin::has_arc(a)) return miss();
         to = step.operation == Operation::acos ? std::acos(a) : std::asin(a);
         break;
       case Operation::sqrt:
-        if (a < 0) return miss();
+        if (!builtin::has_root(a)) return miss();
         to = std::sqrt(a);
         break;
       case Operation::ln:
       case Operation::log:
-        if (a <= 0) return miss();
+        if (!builtin::has_logarithm(a)) return miss();
         to = step.operation == Operation::ln ? std::log(a) : std::log10(a);
         break;
-      case Operation::int_: to = to_int(a); break;
-      case Operation::degrees: to = a / kDegree; break;
-      case Operation::radians: to = a * kDegree; break;
       case Operation::rand: {
         const int32_t stream = to_int(a);
         if (stream < 0 || static_cast<size_t>(stream) >= random_streams.size()) return miss();
@@ -176,48 +161,32 @@ bool Parser::State::run(CompiledExpression& code) {
         break;
       }
       case Operation::atan2:
-        if (!is_true(a) && !is_true(b)) return miss();
+        if (!builtin::has_direction(a, b)) return miss();
         to = std::atan2(a, b);
         break;
       case Operation::pow:
-        if (a == 0 && b == 0) return miss();
+        if (!builtin::has_power(a, b)) return miss();
         to = std::pow(a, b);
         break;
-      case Operation::mod: to = std::fmod(a, b); break;
-      case Operation::div: to = to_int(a / b); break;
-      case Operation::min: to = b < a ? b : a; break;
-      case Operation::max: to = b > a ? b : a; break;
-      case Operation::select: {
-        const double chooser = operand(step, 0);
-        to = operand(step, chooser < 0                         ? 1
-                           : step.count == 3 || chooser == 0 ? 2
-                                                               : 3);
+      case Operation::select:
+        to = operand(step, builtin::selected(operand(step, 0), step.count));
         break;
-      }
 
       case Operation::vdot: to = dot(vector(step, 0), vector(step, 3)); break;
-      case Operation::vlength: {
-        const Vec3 v = vector(step, 0);
-        to = std::sqrt(dot(v, v));
-        break;
-      }
+      case Operation::vlength: to = builtin::vlength(vector(step, 0)); break;
       case Operation::vcross: put(step, cross(vector(step, 0), vector(step, 3))); break;
       case Operation::vnormalize: {
         const Vec3 v = vector(step, 0);
         if (v == Vec3(0)) return miss();
-        put(step, v * (1 / std::sqrt(dot(v, v))));
+        put(step, builtin::vnormalize(v));
         break;
       }
       case Operation::vrotate:
-        put(step, Transform::rotation(vector(step, 3)).point(vector(step, 0)));
+        put(step, builtin::vrotate(vector(step, 0), vector(step, 3)));
         break;
-      case Operation::vaxis_rotate: {
-        const Vec3 along = vector(step, 3);
-        const Vec3 axis = along / std::sqrt(dot(along, along));
-        const double angle = operand(step, 6) * kDegree;
-        put(step, Transform::axis_rotation(axis, angle).point(vector(step, 0)));
+      case Operation::vaxis_rotate:
+        put(step, builtin::vaxis_rotate(vector(step, 0), vector(step, 3), operand(step, 6)));
         break;
-      }
       case Operation::call: {
         const Value* value = plain_value(step.name);
         if (!value || value->kind() != ValueKind::function) return miss();

@@ -169,6 +169,8 @@ class FunctionBody {
     if (value && value->kind() == ValueKind::function) {
       const std::shared_ptr<const FunctionNode> function = value->handle<FunctionNode>();
       state_.consume();
+      state_.function_levels =
+          std::max(state_.function_levels, state_.nesting.levels(function->compiled));
       return call(function->compiled);
     }
     if (value && value->kind() == ValueKind::spline) {
@@ -333,12 +335,14 @@ FunctionHandle Parser::State::parse_function_body(const std::vector<FunctionPara
       case Keyword::pattern: {
         consume();
         auto pattern = parse_function_pattern(parser);
+        function_levels = check_nesting(1 + nesting.levels(*pattern));
         return make_pattern_function(make_live_pattern(std::move(pattern), field_settings,
                                                        scene.settings, parser.effective_version()));
       }
       case Keyword::pigment: {
         consume();
         auto pigment = parse_function_pigment(parser);
+        function_levels = check_nesting(1 + nesting.levels(pigment));
         return make_pigment_function(make_live_pigment(std::move(pigment), field_settings,
                                                        scene.settings, parser.effective_version()));
       }
@@ -359,7 +363,8 @@ FunctionHandle Parser::State::parse_function_body(const std::vector<FunctionPara
   }
 }
 
-std::shared_ptr<const FunctionNode> Parser::State::parse_function(FunctionParameters defaults) {
+std::shared_ptr<const FunctionNode> Parser::State::parse_function(FunctionParameters defaults,
+                                                                  FunctionBodies bodies) {
   auto node = std::make_shared<FunctionNode>();
   node->position = position();
   std::vector<FunctionParameter> parameters;
@@ -371,10 +376,18 @@ std::shared_ptr<const FunctionNode> Parser::State::parse_function(FunctionParame
     for (int i = 0; i < count; ++i) parameters.push_back({0, i});
   }
   if (!accept(Symbol::brace_open)) error_expected("'{' after 'function'");
+  if (bodies == FunctionBodies::expressions &&
+      parser.at_any({Keyword::pattern, Keyword::pigment, Keyword::transform, Keyword::spline})) {
+    error_expected("an operand");
+  }
   if (named && parser.at_any({Keyword::pattern, Keyword::pigment, Keyword::transform, Keyword::spline})) {
     error("a function of this kind has its own parameters: it takes no list of names");
   }
+  const int outer_levels = function_levels;
+  function_levels = 0;
   node->compiled = parse_function_body(parameters);
+  nesting.note(node->compiled, function_levels);
+  function_levels = outer_levels;
   if (!accept(Symbol::brace_close)) error_expected("'}' at the end of the function");
   return node;
 }

@@ -16,11 +16,12 @@ namespace durer {
 
 // What a scene may use up before it is stopped with an error that names the limit.
 struct ParserLimits {
-  uint64_t max_loop_turns = 1'000'000'000;  // of all loops together
+  uint64_t max_loop_turns = 100'000'000;    // of all loops together
   int max_include_depth = 32;               // POV-Ray's; the main file counts
   int max_nesting = 199;                    // conditionals, loops and running macros (POV-Ray's)
   int max_symbol_tables = 98;               // below the global one (POV-Ray's)
   int max_expression_depth = 1000;          // parentheses, brackets and braces inside each other
+  int max_nodes_in_nodes = 500;             // textures, patterns, CSG and bounds inside each other
   uint64_t max_array_elements = 100'000'000;
   uint64_t max_string_bytes = 64'000'000;   // of one string
   uint64_t max_file_bytes = 4'000'000'000;  // of one source file

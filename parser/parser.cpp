@@ -144,8 +144,10 @@ Value Parser::take_identifier() {
   return value;
 }
 
-std::shared_ptr<const FunctionNode> Parser::parse_function(FunctionParameters defaults) {
-  return state_->parse_function(defaults);
+std::shared_ptr<const FunctionNode> Parser::parse_function(FunctionParameters defaults,
+                                                           FunctionBodies bodies) {
+  if (at(Symbol::paren_open)) error_expected("'{' after 'function'");
+  return state_->parse_function(defaults, bodies);
 }
 
 void Parser::error(const std::string& text, const std::string& hint) { state_->error(text, hint); }
@@ -165,6 +167,27 @@ SourcePosition Parser::position() const { return state_->position(); }
 
 void Parser::check_limit(uint64_t count, uint64_t limit, const char* name) {
   if (count > limit) error(std::string(name) + ": the limit is " + std::to_string(limit));
+}
+
+int Parser::check_nesting(const ObjectNode& node) {
+  return state_->check_nesting(state_->nesting.levels(node));
+}
+void Parser::check_nesting(const std::shared_ptr<const PigmentNode>& node) {
+  state_->check_nesting(state_->nesting.levels(node));
+}
+void Parser::check_nesting(const std::shared_ptr<const NormalNode>& node) {
+  state_->check_nesting(state_->nesting.levels(node));
+}
+void Parser::check_nesting(const std::shared_ptr<const TextureNode>& node) {
+  state_->check_nesting(state_->nesting.levels(node));
+}
+
+int Parser::State::check_nesting(int levels) {
+  if (levels > options.limits.max_nodes_in_nodes) {
+    error("objects, textures or patterns stand in each other more than " +
+          std::to_string(options.limits.max_nodes_in_nodes) + " levels deep, which is the limit");
+  }
+  return levels;
 }
 
 int Parser::language_version() const { return state_->language_version; }

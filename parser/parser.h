@@ -25,10 +25,17 @@ namespace durer {
 
 struct FunctionNode;
 struct CameraNode;
+struct NormalNode;
+struct ObjectNode;
+struct PigmentNode;
+struct TextureNode;
 struct Scene;
 
 // Which parameters function{ } has when it names none.
 enum class FunctionParameters : uint8_t { xyz, uvw };
+
+// What may stand in the braces: an expression only, or also pattern{}, pigment{}, transform{}, spline{}.
+enum class FunctionBodies : uint8_t { expressions, any };
 
 enum class FileType : uint8_t { include, user, image, font, density };
 
@@ -117,8 +124,9 @@ class Parser {
   Value take_identifier();
 
   // ---- Functions (spec/language.md 23) --------------------------------------------------------
-  // After the word `function`: [ (params) ] { body }. Also accepts a bare function identifier.
-  std::shared_ptr<const FunctionNode> parse_function(FunctionParameters defaults);
+  // After the word `function` of a statement: { body }.
+  std::shared_ptr<const FunctionNode> parse_function(
+      FunctionParameters defaults, FunctionBodies bodies = FunctionBodies::expressions);
 
   // ---- Long literal lists ---------------------------------------------------------------------
   // Reads as many plain `<a,b,c>` items (with the comma after each) as stand literally in the text,
@@ -141,6 +149,12 @@ class Parser {
   SourcePosition position() const;
   // Stops with an error if `count` is above the limit; name appears in the message.
   void check_limit(uint64_t count, uint64_t limit, const char* name);
+  // Stops with an error if textures, patterns or objects stand in each other too deeply in this node
+  // (parser/nesting.h). For an object under construction: returns its levels.
+  void check_nesting(const std::shared_ptr<const PigmentNode>& node);
+  void check_nesting(const std::shared_ptr<const NormalNode>& node);
+  void check_nesting(const std::shared_ptr<const TextureNode>& node);
+  int check_nesting(const ObjectNode& node);
 
   // ---- Versions, settings, scene --------------------------------------------------------------
   // Hundredths: 370. The language version L and the effective version E (spec/language.md 19).

@@ -8,6 +8,7 @@
 
 #include "parser/array.h"
 #include "parser/macro.h"
+#include "parser/nesting.h"
 #include "parser/parser.h"
 #include "parser/source.h"
 #include "parser/symbol_table.h"
@@ -259,6 +260,8 @@ struct Parser::State {
   void do_read();
   void do_write();
   void close_files();
+  // The number itself; an error above the limit.
+  int check_nesting(int levels);
   bool may_write(const std::string& path) const;
   std::string find_file(const std::string& name, FileType type, bool forgiving);
   // A file or folder of that name, here or in a library path.
@@ -270,7 +273,8 @@ struct Parser::State {
     Name name = 0;
     int special = -1;  // x or u: 0, y or v: 1, z: 2
   };
-  std::shared_ptr<const FunctionNode> parse_function(FunctionParameters defaults);
+  std::shared_ptr<const FunctionNode> parse_function(FunctionParameters defaults,
+                                                     FunctionBodies bodies);
   std::vector<FunctionParameter> parse_function_parameters();
   std::shared_ptr<const CompiledFunction> parse_function_body(
       const std::vector<FunctionParameter>& parameters);
@@ -323,6 +327,8 @@ struct Parser::State {
   std::vector<uint32_t> random_streams;
   std::string debug_line;
   std::vector<std::string> experimental;
+  Nesting nesting;
+  int function_levels = 0;  // of the functions that the function being read calls
   std::vector<std::shared_ptr<UserFile>> open_files;
   std::unordered_map<std::string, std::shared_ptr<SourceFile>> sources;  // by path
   std::vector<std::string> written_files;  // by #fopen: their cached text is stale

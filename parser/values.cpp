@@ -178,7 +178,7 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
       case Keyword::function: {
         consume();
         const FlagScope on(directives_live, true);
-        result.value = Value(ValueKind::function, parse_function(FunctionParameters::xyz));
+        result.value = Value(ValueKind::function, parse_function(FunctionParameters::xyz, FunctionBodies::any));
         return;
       }
       case Keyword::spline: {
@@ -264,6 +264,9 @@ void Parser::State::store(const Reference& reference, Value value) {
   Value* slot = writable(reference);
   if (!slot) error("the variable that this name stands for is gone");
   if (reference.levels > 0) {
+    if (slot->kind() == ValueKind::function) {
+      error("this element holds a function already", "#undef it first");
+    }
     Reference holder = reference;
     --holder.levels;
     Array& array = writable(holder)->mutable_as<Array>();

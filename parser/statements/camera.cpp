@@ -87,10 +87,8 @@ class CameraReader {
     }
     camera_.max_distance = parser_.parse_optional_float(0);
     parser_.accept_comma();
-    while (ObjectPtr mesh = parse_object(parser_)) {
-      if (!std::holds_alternative<Rare<MeshNode>>(shape_of(*mesh))) {
-        parser_.error("a mesh_camera takes meshes only");
-      }
+    while (parser_.at(Keyword::mesh)) {
+      ObjectPtr mesh = parse_object(parser_);
       camera_.mesh_objects.push_back(std::move(mesh));
       parser_.accept_comma();
     }

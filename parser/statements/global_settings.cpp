@@ -104,7 +104,7 @@ class SettingsReader {
         parser_.accept_comma();
         settings_.subsurface_samples_single = parser_.parse_int();
       } else if (parser_.accept(Keyword::radiosity)) {
-        settings_.subsurface_radiosity = parser_.parse_optional_switch();
+        settings_.subsurface_radiosity = parser_.parse_float() > 0;
       } else {
         break;
       }
@@ -237,9 +237,9 @@ class SettingsReader {
       } else if (parser_.accept(Keyword::recursion_limit)) {
         radiosity.recursion_limit = static_cast<int>(within(1, 20.999, "recursion_limit"));
       } else if (parser_.accept(Keyword::normal)) {
-        radiosity.normal = parser_.parse_optional_switch();
+        radiosity.normal = parser_.parse_float() > 0;
       } else if (parser_.accept(Keyword::media)) {
-        radiosity.media = parser_.parse_optional_switch();
+        radiosity.media = parser_.parse_float() > 0;
       } else if (parser_.accept(Keyword::subsurface)) {
         radiosity.subsurface = parser_.parse_optional_switch();
       } else if (parser_.accept(Keyword::importance)) {

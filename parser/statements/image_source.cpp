@@ -70,7 +70,7 @@ std::shared_ptr<const FunctionRaster> parse_function_raster(Parser& parser) {
   }
   raster->width = static_cast<int>(width + 0.5);
   raster->height = static_cast<int>(height + 0.5);
-  const auto function = parser.parse_function(FunctionParameters::xyz);
+  const auto function = parser.parse_function(FunctionParameters::xyz, FunctionBodies::any);
   const CompiledFunction& compiled = *function->compiled;
   if (compiled.is_vector() && compiled.kind() != FunctionKind::pigment) {
     parser.error("an image can be made of a number or of a pigment only");

@@ -32,6 +32,7 @@ std::shared_ptr<const InteriorNode> parse_interior(Parser& parser) {
       node->fade_power = number();
     } else if (parser.accept(Keyword::refraction)) {
       node->refraction = number();
+      parser.warning("refraction is on without being asked for; this item is not needed");
     } else if (parser.accept(Keyword::media)) {
       node->media.push_back(parse_media(parser));
     } else {
@@ -87,7 +88,7 @@ void parse_scattering(Parser& parser, MediaNode& media) {
   media.scattering_type = parser.parse_int();
   parser.accept_comma();
   if (media.scattering_type < 1 || media.scattering_type > 5) {
-    parser.error("there are scattering types 1 to 5");
+    parser.warning("there are scattering types 1 to 5");
   }
   media.scattering = parser.parse_rgb();
   for (;;) {

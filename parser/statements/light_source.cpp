@@ -9,6 +9,8 @@
 namespace durer {
 namespace {
 
+constexpr double kEpsilon = 1e-10;
+
 void parse_area(Parser& parser, LightNode& light) {
   light.area = true;
   light.axis1 = parser.parse_vector();
@@ -131,8 +133,10 @@ class LightReader {
       light_.circular = true;
     } else if (parser_.accept(Keyword::orient)) {
       light_.orient = true;
+      if (!light_.area) parser_.warning("orient has a meaning for area lights only");
     } else if (parser_.accept(Keyword::area_illumination)) {
       light_.area_illumination = parser_.parse_optional_switch();
+      if (!light_.area) parser_.warning("area_illumination has a meaning for area lights only");
     } else {
       return false;
     }
@@ -168,18 +172,21 @@ class LightReader {
 
 // What the items mean together.
 void check(Parser& parser, LightNode& light) {
-  if (light.orient && light.area) {
-    if (!light.circular) parser.warning("orient makes the area light circular, too");
-    light.circular = true;
-    if (light.size1 <= 1 || light.size2 <= 1) {
-      light.circular = false;
-      parser.warning("a circular area light needs more than one sample each way");
-    }
-  } else if (light.circular && light.area && (light.size1 <= 1 || light.size2 <= 1)) {
+  if (light.circular && (light.size1 <= 1 || light.size2 <= 1)) {
     parser.error("a circular area light needs more than one sample each way");
   }
-  if (light.area_illumination && !light.area) {
-    parser.warning("area_illumination has a meaning for area lights only");
+  if (light.orient) {
+    if (!light.circular) parser.warning("orient makes the area light circular, too");
+    if (light.size1 != light.size2) {
+      parser.warning("an oriented area light should have as many samples one way as the other");
+    }
+    if (std::abs(length(light.axis1) - length(light.axis2)) > kEpsilon) {
+      parser.warning("the axes of an oriented area light should be equally long");
+    }
+    light.circular = light.size1 > 1 && light.size2 > 1;
+    if (!light.circular) {
+      parser.warning("a circular area light needs more than one sample each way");
+    }
   }
   if (light.kind == LightKind::cylinder) light.parallel = true;
 }
@@ -217,6 +224,7 @@ ObjectPtr parse_light_source(Parser& parser) {
       node->position = parser.position();
       node->shape = std::make_shared<const ShapeNode>(
           std::make_shared<const LightNode>(std::move(copy)));
+      node->csg_depth = parser.check_nesting(*node);
       return node;
     }
     ObjectBuilder builder(parser, named);
@@ -236,6 +244,7 @@ ObjectPtr parse_light_source(Parser& parser) {
   node->position = light.position;
   node->shape =
       std::make_shared<const ShapeNode>(std::make_shared<const LightNode>(std::move(light)));
+  node->csg_depth = parser.check_nesting(*node);
   return node;
 }
 

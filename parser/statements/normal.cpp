@@ -14,6 +14,9 @@ class NormalReader {
 
   void read() {
     if (parser_.accept(Keyword::uv_mapping)) {
+      while (parser_.accept(Keyword::uv_mapping)) {
+        // Once more changes nothing.
+      }
       auto inner = std::make_shared<NormalNode>(node_);
       NormalReader(parser_, *inner).read();
       node_ = NormalNode{};
@@ -24,6 +27,7 @@ class NormalReader {
     read_start();
     while (accept_item() || accept_pattern_modifier(parser_, node_.pattern.edit())) {
     }
+    check_pattern(parser_, *node_.pattern);
     if (node_.pattern->kind == PatternKind::average && !node_.normal_map) {
       parser_.error("average needs a normal_map");
     }
@@ -124,6 +128,7 @@ std::shared_ptr<const NormalNode> read_contents(Parser& parser,
               : start ? std::make_shared<NormalNode>(*start)
                       : std::make_shared<NormalNode>();
   NormalReader(parser, *node).read();
+  parser.check_nesting(std::shared_ptr<const NormalNode>(node));
   return node;
 }
 

@@ -9,9 +9,7 @@
 namespace durer {
 namespace {
 
-// Objects are walked by recursion when the world is built: what nests deeper than this is a mistake
-// in a loop.
-constexpr int kMostCsgLevels = 1000;
+// What is copied deeper than this is a mistake in a loop.
 constexpr int kMostCopyLevels = 10000;
 
 // What bounded_by and clipped_by said so far, in this statement and in those that it copies.
@@ -51,7 +49,6 @@ bool ObjectBuilder::accept_base() {
 
 void ObjectBuilder::set_base(const ObjectPtr& base) {
   node_->base = base;
-  node_->csg_depth = base->csg_depth;
   node_->copy_depth = base->copy_depth + 1;
   if (node_->copy_depth > kMostCopyLevels) {
     parser_.error("this object is a copy of a copy of a copy ...: the limit is " +
@@ -64,13 +61,6 @@ void ObjectBuilder::set_shape(ShapeNode shape) {
 }
 
 void ObjectBuilder::set_csg(CsgNode csg) {
-  for (const ObjectPtr& child : csg.children) {
-    node_->csg_depth = std::max(node_->csg_depth, child->csg_depth + 1);
-  }
-  if (node_->csg_depth > kMostCsgLevels) {
-    parser_.error("objects are nested too deeply: the limit is " +
-                  std::to_string(kMostCsgLevels) + " levels of CSG");
-  }
   set_shape(std::move(csg));
 }
 
@@ -85,6 +75,7 @@ ObjectPtr ObjectBuilder::finish(const char* what) {
 
 ObjectPtr ObjectBuilder::close(const char* what) {
   parser_.expect_close(what);
+  node_->csg_depth = parser_.check_nesting(*node_);
   return std::move(node_);
 }
 

@@ -138,7 +138,6 @@ bool accept_kind(Parser& parser, PatternNode& node, PatternUse use) {
   if (parser.accept(Keyword::gradient)) {
     node.kind = K::gradient;
     node.gradient = parser.parse_vector();
-    if (length(node.gradient) == 0) parser.error("gradient needs a direction");
   } else if (parser.accept(Keyword::spiral1)) {
     node.kind = K::spiral1;
     node.arms = parser.parse_int();
@@ -202,6 +201,25 @@ bool at_pattern_without_function(Parser& parser) {
   return false;
 }
 
+// The most tiles, and of so many tiles the most patterns (spec/textures.md 9).
+void check_pavement(Parser& parser, const PavementParameters& pavement) {
+  const int row = pavement.sides == 3 ? 0 : pavement.sides == 4 ? 1 : 2;
+  static constexpr int kPatterns[3][6] = {
+      {1, 1, 1, 3, 4, 12}, {1, 1, 2, 5, 12, 35}, {1, 1, 3, 7, 22, 0}};
+  if (pavement.sides != 3 && pavement.sides != 4 && pavement.sides != 6) {
+    parser.error("the tiles of a pavement have 3, 4 or 6 sides");
+  }
+  if (pavement.tiles < 1 || pavement.tiles > (pavement.sides == 6 ? 5 : 6)) {
+    parser.error("a pavement of this form is made of 1 to " +
+                 std::to_string(pavement.sides == 6 ? 5 : 6) + " tiles");
+  }
+  const int most = kPatterns[row][pavement.tiles - 1];
+  if (pavement.pattern < 1 || pavement.pattern > most) {
+    parser.error("a pavement of this form and number of tiles has patterns 1 to " +
+                 std::to_string(most));
+  }
+}
+
 }  // namespace
 
 int list_length(PatternKind kind) {
@@ -229,6 +247,10 @@ bool accept_pattern(Parser& parser, PatternNode& node, PatternUse use) {
   if (starts_without_frequency(node.kind)) node.frequency = 0;
   if (starts_with_triangle_wave(node.kind)) node.wave = WaveKind::triangle;
   return true;
+}
+
+void check_pattern(Parser& parser, const PatternNode& node) {
+  if (node.kind == K::pavement) check_pavement(parser, node.pavement);
 }
 
 bool accept_pattern_modifier(Parser& parser, PatternNode& node) {

@@ -15,6 +15,8 @@ enum class PatternUse : uint8_t { pigment, normal, texture, density, function };
 bool accept_pattern(Parser& parser, PatternNode& node, PatternUse use);
 // turbulence, warps, waves, transformations and the parameters of single patterns.
 bool accept_pattern_modifier(Parser& parser, PatternNode& node);
+// What the parameters must be together, once all of them are read.
+void check_pattern(Parser& parser, const PatternNode& node);
 // How many items a list pattern takes (checker 2, ...); 0: no list pattern.
 int list_length(PatternKind kind);
 

@@ -16,6 +16,9 @@ class PigmentReader {
 
   void read() {
     if (parser_.accept(Keyword::uv_mapping)) {
+      while (parser_.accept(Keyword::uv_mapping)) {
+        // Once more changes nothing.
+      }
       if (use_ == PatternUse::density) parser_.error("uv_mapping has no meaning in a density");
       read_uv();
       return;
@@ -23,9 +26,10 @@ class PigmentReader {
     read_start();
     // Most pigments are a colour and nothing else: their pattern is not touched.
     while (parser_.peek().kind == TokenKind::keyword &&
-           (accept_map() || accept_quick_color() ||
+           (accept_map() || accept_quick_color() || accept_no_bump_scale() ||
             accept_pattern_modifier(parser_, node_.pattern.edit()))) {
     }
+    check_pattern(parser_, *node_.pattern);
     if (node_.is_unspecified && node_.pattern->kind == PatternKind::none &&
         use_ == PatternUse::pigment && !started_from_identifier_) {
       parser_.warning("this pigment has no colour and no pattern: it is black");
@@ -143,6 +147,13 @@ class PigmentReader {
     return true;
   }
 
+  // A pattern modifier that says nothing about colours.
+  bool accept_no_bump_scale() {
+    if (!parser_.accept(Keyword::no_bump_scale)) return false;
+    parser_.parse_optional_switch();
+    return true;
+  }
+
   Parser& parser_;
   PigmentNode& node_;
   PatternUse use_;
@@ -158,6 +169,7 @@ std::shared_ptr<const PigmentNode> read_contents(Parser& parser,
   PigmentReader reader(parser, *node, use);
   if (named) reader.set_started_from_identifier();
   reader.read();
+  parser.check_nesting(std::shared_ptr<const PigmentNode>(node));
   return node;
 }
 

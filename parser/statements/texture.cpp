@@ -60,6 +60,7 @@ class TextureReader {
 
   TexturePtr read() {
     const TexturePtr texture = read_parts();
+    parser_.check_nesting(texture);
     return no_bump_scale_ ? without_bump_scale(texture) : texture;
   }
 
@@ -139,6 +140,9 @@ class TextureReader {
     } else if (parser_.accept(Keyword::material_map)) {
       read_material_map(*node);
     } else if (parser_.accept(Keyword::uv_mapping)) {
+      while (parser_.accept(Keyword::uv_mapping)) {
+        // Once more changes nothing.
+      }
       node->pattern.edit().kind = PatternKind::uv_mapping;
       auto map = std::make_shared<TextureMap>();
       map->entries.push_back({0, TextureReader(parser_).read()});
@@ -164,6 +168,7 @@ class TextureReader {
         break;
       }
     }
+    check_pattern(parser_, *node->pattern);
     if (node->kind == TextureNode::Kind::patterned && !node->texture_map) {
       parser_.error("a patterned texture needs a texture_map");
     }
@@ -250,6 +255,7 @@ TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TextureP
   if (parser.effective_version() <= 310) {
     copy->pigment = with_filter_as_transmit(copy->pigment);
   }
+  parser.check_nesting(TexturePtr(copy));
   return copy;
 }
 

@@ -13,7 +13,7 @@ ShapeNode parse_height_field(Parser& parser) {
       node.water_level = parser.parse_float();
       if (parser.language_version() < 200) node.water_level /= 256;
     } else if (parser.accept(Keyword::smooth)) {
-      node.smooth = parser.parse_optional_switch();
+      node.smooth = true;
     } else {
       break;
     }

@@ -28,8 +28,9 @@ class MeshReader {
       mesh_.face_vertices.push_back(append(mesh_.vertices, vertex));
       if (smooth) set(mesh_.face_normals, face, append(mesh_.normals, normal));
     }
+    bool textured = false;
     for (;;) {
-      if (parser_.accept(Keyword::uv_vectors)) {
+      if (!textured && parser_.accept(Keyword::uv_vectors)) {
         std::array<int32_t, 3> uv;
         for (int32_t& index : uv) {
           index = static_cast<int32_t>(mesh_.uv.size());
@@ -41,6 +42,7 @@ class MeshReader {
         parser_.expect_open("texture");
         const int32_t index = parse_texture_index();
         parser_.expect_close("texture");
+        textured = true;
         if (keep) set(mesh_.face_textures, face, {index, index, index});
       } else if (parser_.accept(Keyword::texture_list)) {
         parser_.expect_open("texture_list");
@@ -50,6 +52,7 @@ class MeshReader {
           parser_.accept_comma();
         }
         parser_.expect_close("texture_list");
+        textured = true;
         if (keep) set(mesh_.face_textures, face, list);
       } else {
         break;
