@@ -8,19 +8,19 @@
 #include "parser/array.h"
 #include "tracer/math/transform.h"
 
-// Functions of one float `a` that are defined everywhere: F(keyword, formula).
+// Functions of one float `p` that are defined everywhere: F(keyword, formula).
 #define DURER_FLOAT_FUNCTIONS(F)                                                              \
-  F(abs, std::fabs(a)) F(floor, std::floor(a)) F(ceil, std::ceil(a)) F(exp, std::exp(a))      \
-  F(sin, std::sin(a)) F(cos, std::cos(a)) F(tan, std::tan(a)) F(sinh, std::sinh(a))           \
-  F(cosh, std::cosh(a)) F(tanh, std::tanh(a)) F(atan, std::atan(a)) F(asinh, std::asinh(a))   \
-  F(acosh, std::acosh(a)) F(atanh, std::atanh(a)) F(int_, to_int(a)) F(degrees, a / kDegree)  \
-  F(radians, a * kDegree)
+  F(abs, std::fabs(p)) F(floor, std::floor(p)) F(ceil, std::ceil(p)) F(exp, std::exp(p))      \
+  F(sin, std::sin(p)) F(cos, std::cos(p)) F(tan, std::tan(p)) F(sinh, std::sinh(p))           \
+  F(cosh, std::cosh(p)) F(tanh, std::tanh(p)) F(atan, std::atan(p)) F(asinh, std::asinh(p))   \
+  F(acosh, std::acosh(p)) F(atanh, std::atanh(p)) F(int_, to_int(p)) F(degrees, p / kDegree)  \
+  F(radians, p * kDegree)
 
-// And of two, `a` and `b`.
-#define DURER_FLOAT_PAIR_FUNCTIONS(F) F(mod, std::fmod(a, b)) F(div, to_int(a / b))
+// And of two, `p` and `q`.
+#define DURER_FLOAT_PAIR_FUNCTIONS(F) F(mod, std::fmod(p, q)) F(div, to_int(p / q))
 
 // Folded over a list of floats.
-#define DURER_FLOAT_FOLDS(F) F(min, b < a ? b : a) F(max, b > a ? b : a)
+#define DURER_FLOAT_FOLDS(F) F(min, q < p ? q : p) F(max, q > p ? q : p)
 
 namespace durer::builtin {
 

@@ -133,7 +133,7 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
     // Float functions of one number
 #define DURER_FUNCTION(name, formula) \
   case Keyword::name: {               \
-    const double a = one();           \
+    const double p = one();           \
     return number(formula);           \
   }
     DURER_FLOAT_FUNCTIONS(DURER_FUNCTION)
@@ -180,14 +180,14 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
 #define DURER_FUNCTION(name, formula)         \
   case Keyword::name: {                       \
     two();                                    \
-    const double a = first, b = second;       \
+    const double p = first, q = second;       \
     return number(formula);                   \
   }
     DURER_FLOAT_PAIR_FUNCTIONS(DURER_FUNCTION)
 #undef DURER_FUNCTION
 #define DURER_FUNCTION(name, formula) \
   case Keyword::name:                 \
-    return number(fold([](double a, double b) { return formula; }, same));
+    return number(fold([](double p, double q) { return formula; }, same));
     DURER_FLOAT_FOLDS(DURER_FUNCTION)
 #undef DURER_FUNCTION
     case Keyword::bitwise_and:

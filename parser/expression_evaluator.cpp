@@ -134,8 +134,19 @@ bool Parser::State::run(CompiledExpression& code) {
       case Operation::choose: to = is_true(r[step.name]) ? a : b; break;
 
 #define DURER_FUNCTION(name, formula) \
-  case Operation::name: to = formula; break;
+  case Operation::name: {             \
+    const double p = a;               \
+    to = formula;                     \
+    break;                            \
+  }
       DURER_FLOAT_FUNCTIONS(DURER_FUNCTION)
+#undef DURER_FUNCTION
+#define DURER_FUNCTION(name, formula) \
+  case Operation::name: {             \
+    const double p = a, q = b;        \
+    to = formula;                     \
+    break;                            \
+  }
       DURER_FLOAT_PAIR_FUNCTIONS(DURER_FUNCTION)
       DURER_FLOAT_FOLDS(DURER_FUNCTION)
 #undef DURER_FUNCTION
