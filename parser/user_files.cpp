@@ -179,7 +179,7 @@ void Parser::State::do_read() {
   };
   const auto signed_number = [&]() {
     double sign = 1, value = 0;
-    if (space() && (file->text[file->at] == '-' || file->text[file->at] == '+')) {
+    while (space() && (file->text[file->at] == '-' || file->text[file->at] == '+')) {
       if (file->text[file->at] == '-') sign = -sign;
       ++file->at;
     }
@@ -192,10 +192,6 @@ void Parser::State::do_read() {
     if (look.token.kind != TokenKind::identifier) error_expected("an identifier to read into");
     const Name name = look.token.name;
     const bool element = look.is_element && look.value;
-    if (look.entry && look.value && look.value->kind() != ValueKind::number &&
-        look.value->kind() != ValueKind::vector && look.value->kind() != ValueKind::string) {
-      error("#read declares a new name, or changes a float, a vector of three or a string");
-    }
     Reference target;
     if (element) {
       target = look.reference;

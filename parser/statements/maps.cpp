@@ -31,13 +31,12 @@ std::shared_ptr<const Map> parse_map(Parser& parser, const char* what, ValueKind
 }
 
 float parse_position(Parser& parser) {
+  // average may leave its weights out.
+  if (!parser.at_expression()) return 1;
   const float position = static_cast<float>(parser.parse_float());
   parser.accept_comma();
   return position;
 }
-
-// Normals and textures that are averaged may leave their weights out.
-float parse_weight(Parser& parser) { return parser.at_expression() ? parse_position(parser) : 1; }
 
 void add_color(ColorMap& map, float position, const ColorRGBFT& color) {
   // A repeated entry changes nothing.
@@ -97,7 +96,7 @@ std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser) {
 
 std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser) {
   return parse_map<NormalMap>(parser, "normal_map", ValueKind::normal_map, [&](NormalMap& map) {
-    const float position = parse_weight(parser);
+    const float position = parse_position(parser);
     map.entries.push_back({position, parse_normal_entry(parser)});
   });
 }
@@ -105,7 +104,7 @@ std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser) {
 std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser) {
   return parse_map<TextureMap>(parser, "texture_map", ValueKind::texture_map,
                                [&](TextureMap& map) {
-                                 const float position = parse_weight(parser);
+                                 const float position = parse_position(parser);
                                  map.entries.push_back({position, parse_texture_entry(parser)});
                                });
 }

@@ -21,72 +21,6 @@ ObjectPtr with_default_texture(Parser& parser, ObjectPtr object, TexturePtr& not
   return with_modifier(std::move(object), SetDefaultTexture{noted});
 }
 
-bool has_bounds(const ObjectNode& object) {
-  for (const ObjectNode* node = &object; node; node = node->base.get()) {
-    for (const Modifier& modifier : node->modifiers) {
-      if (std::holds_alternative<AddBounds>(modifier) ||
-          std::holds_alternative<ShareClipsAsBounds>(modifier)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-// What counts of clips and of split_union is what was said last.
-bool is_split(const ObjectNode& object) {
-  bool split = true;
-  std::vector<const ObjectNode*> chain;
-  for (const ObjectNode* node = &object; node; node = node->base.get()) chain.push_back(node);
-  for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
-    for (const Modifier& modifier : (*it)->modifiers) {
-      if (std::holds_alternative<AddClips>(modifier)) return false;
-      const auto* flag = std::get_if<SetFlag>(&modifier);
-      if (flag && flag->flag == ObjectFlag::split_union) split = flag->value;
-    }
-  }
-  return split;
-}
-
-// From the kinds of shapes alone: quadrics and polys count as infinite.
-bool is_surely_finite(const ObjectPtr& object) {
-  if (has_bounds(*object)) return true;
-  const ShapeNode& shape = shape_of(*object);
-  if (const auto* csg = std::get_if<CsgNode>(&shape)) {
-    const std::vector<ObjectPtr>& children = csg->children;
-    if (csg->kind == CsgKind::union_ || csg->kind == CsgKind::merge) {
-      return std::all_of(children.begin(), children.end(), is_surely_finite);
-    }
-    if (csg->kind == CsgKind::difference) return !children.empty() && is_surely_finite(children[0]);
-    return std::any_of(children.begin(), children.end(), is_surely_finite);
-  }
-  return !std::holds_alternative<PlaneNode>(shape) && !std::holds_alternative<QuadricNode>(shape) &&
-         !std::holds_alternative<PolyNode>(shape) &&
-         !std::holds_alternative<std::shared_ptr<const LightNode>>(shape);
-}
-
-// Bounds of objects at scene level that the hierarchy makes superfluous (spec/geometry.md 2.4).
-void warn_of_needless_bounds(Parser& parser, const ObjectNode& object) {
-  const ShapeNode& shape = shape_of(object);
-  const auto* csg = std::get_if<CsgNode>(&shape);
-  const bool is_union = csg ? csg->kind == CsgKind::union_ && is_split(object)
-                            : std::holds_alternative<TextNode>(shape);
-  if (has_bounds(object)) {
-    if (is_union && csg && !csg->is_light_group) {
-      if (std::all_of(csg->children.begin(), csg->children.end(), is_surely_finite)) {
-        parser.warning("this union needs no bounds: its members have boxes of their own");
-      }
-    } else if (std::holds_alternative<TextNode>(shape)) {
-      parser.warning("this text needs no bounds: its letters have boxes of their own");
-    } else if (!csg && !std::holds_alternative<PolyNode>(shape) &&
-               !std::holds_alternative<std::shared_ptr<const LightNode>>(shape)) {
-      parser.warning("this object needs no bounds: they are left out");
-    }
-  } else if (csg && is_union) {
-    for (const ObjectPtr& child : csg->children) warn_of_needless_bounds(parser, *child);
-  }
-}
-
 void add_camera(Parser& parser) {
   Scene& scene = parser.scene();
   // Before 3.5 a further camera changes the one before it.
@@ -102,7 +36,6 @@ void add_camera(Parser& parser) {
 bool parse_statement(Parser& parser, TexturePtr& default_noted) {
   Scene& scene = parser.scene();
   if (ObjectPtr object = parse_object(parser)) {
-    warn_of_needless_bounds(parser, *object);
     scene.objects.push_back(with_default_texture(parser, std::move(object), default_noted));
   } else if (parser.accept(Keyword::camera)) {
     add_camera(parser);
