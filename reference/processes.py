@@ -29,14 +29,15 @@ class Result:
 
 
 class Scratch:
-    """A folder in memory that holds a copy of the scene's folder; scenes may write there."""
+    """A folder in memory that holds the files of the scene's folder; scenes may write there."""
 
     def __init__(self, scene):
         self.root = Path(tempfile.mkdtemp(prefix="durer-reference-", dir=SCRATCH_ROOT))
-        self.folder = scene.path.parent
-        if folder_size(self.folder) <= LARGEST_COPIED_FOLDER:
-            self.folder = self.root / scene.path.parent.name
-            shutil.copytree(scene.path.parent, self.folder)
+        self.folder = self.root / scene.path.parent.name
+        # Large folders are linked file by file: runs beside each other never write to one place.
+        is_small = folder_size(scene.path.parent) <= LARGEST_COPIED_FOLDER
+        shutil.copytree(scene.path.parent, self.folder,
+                        copy_function=shutil.copy2 if is_small else os.symlink)
 
     def __enter__(self):
         return self
