@@ -95,6 +95,7 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
   hit.context.has_surface = true;
   hit.context.ray_direction = ray.direction;
   hit.context.normal = dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
+  hit.last_normal = hit.context.normal;
   hit.context.world_point = surface.point;
   hit.context.uv = surface.uv;
   const Vec3 point =
@@ -133,7 +134,9 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
   if (texture.selector) {
     WeightedTexture children[TextureSelector::kMostTextures];
     Vec3 child_point;
-    const int count = texture.selector->select(point, hit.context, child_point, children);
+    TextureContext context = hit.context;
+    context.normal = hit.last_normal;
+    const int count = texture.selector->select(point, context, child_point, children);
     frames.enter(texture.frame);
     for (int i = 0; i < count; ++i) {
       RGB child_color(0.0f);
@@ -169,6 +172,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
       normal = layer_normal(layer, frames, point, *bumped);
       context = &*bumped;
     }
+    hit.last_normal = context->normal;
     if (!first_layer) {
       first_layer = &layer;
       top_normal = normal;

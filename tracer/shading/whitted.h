@@ -40,6 +40,8 @@ class WhittedIntegrator : public Integrator {
     double depth;            // length of the segment that ends here
     bool inside_interior;    // the ray is in this object's interior
     ShadowedLights* lights;  // null: asked for once only
+    // Of the layer shaded last: `slope` sees it where the next texture of a map is chosen.
+    mutable Vec3 last_normal{0};
     // Indirect light is asked once for all layers.
     mutable bool ambient_asked = false, has_ambient = false;
     mutable RGB ambient{0.0f};
