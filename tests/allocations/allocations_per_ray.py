@@ -12,6 +12,9 @@ from pathlib import Path
 
 # What pictures of different sizes may allocate differently: rows of the writer, growth of stacks.
 ALLOWANCE = 40
+# OpenImageIO shares its work on input files among its threads and ours, so what ours allocates for them
+# varies from run to run. What rays allocate is there in every run: the least growth counts.
+REPEATS = 5
 
 
 def allocations(durer, library, scene, size, scratch):
@@ -37,14 +40,21 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
         for scene in sorted(arguments.gallery.rglob("*.pov")):
-            few = allocations(arguments.durer, arguments.library, scene, 16, scratch)
-            if few is None:
+            growth = None
+            for _ in range(REPEATS):
+                few = allocations(arguments.durer, arguments.library, scene, 16, scratch)
+                if few is None:
+                    break
+                many = allocations(arguments.durer, arguments.library, scene, 32, scratch)
+                growth = many - few if growth is None else min(growth, many - few)
+                if growth <= ALLOWANCE:
+                    break
+            if growth is None:
                 continue
-            many = allocations(arguments.durer, arguments.library, scene, 32, scratch)
             counted += 1
-            if many - few > ALLOWANCE:
+            if growth > ALLOWANCE:
                 failures += 1
-                print(f"{scene}: {many - few} more allocations for 768 more pixels")
+                print(f"{scene}: {growth} more allocations for 768 more pixels")
     print(f"{counted} scenes, {failures} that allocate per ray")
     return 1 if failures or counted < 60 else 0
 
