@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 SCRATCH_ROOT = "/dev/shm" if os.access("/dev/shm", os.W_OK) else tempfile.gettempdir()
-# A scene in a huge folder (somebody's home) is rendered where it lies.
-LARGEST_COPIED_FOLDER = 200 << 20
+# Of larger files a scratch folder holds links only.
+LARGEST_COPIED_FILE = 16 << 20
 
 
 @dataclass
@@ -34,10 +34,7 @@ class Scratch:
     def __init__(self, scene):
         self.root = Path(tempfile.mkdtemp(prefix="durer-reference-", dir=SCRATCH_ROOT))
         self.folder = self.root / scene.path.parent.name
-        # Large folders are linked file by file: runs beside each other never write to one place.
-        is_small = folder_size(scene.path.parent) <= LARGEST_COPIED_FOLDER
-        shutil.copytree(scene.path.parent, self.folder,
-                        copy_function=shutil.copy2 if is_small else os.symlink)
+        shutil.copytree(scene.path.parent, self.folder, copy_function=copy_or_link)
 
     def __enter__(self):
         return self
@@ -46,17 +43,12 @@ class Scratch:
         shutil.rmtree(self.root, ignore_errors=True)
 
 
-def folder_size(folder):
-    total = 0
-    for directory, _, names in os.walk(folder):
-        for name in names:
-            try:
-                total += os.stat(os.path.join(directory, name)).st_size
-            except OSError:
-                pass
-        if total > LARGEST_COPIED_FOLDER:
-            break
-    return total
+def copy_or_link(source, target):
+    """A file for a scratch folder: large ones, which no scene writes, are linked."""
+    if os.stat(source).st_size > LARGEST_COPIED_FILE:
+        os.symlink(source, target)
+    else:
+        shutil.copy2(source, target)
 
 
 def run(command, folder, cpu_limit, root, environment=None, nice=0, memory_limit=0):
