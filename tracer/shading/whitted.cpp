@@ -16,9 +16,6 @@ constexpr uint32_t kPurposeCrand = 2;
 constexpr uint32_t kPurposeRainbow = 3;
 constexpr uint32_t kPurposeAreaIllumination = 4;
 constexpr uint64_t kEventReflection = 1;
-// A light that adds less than this to a pixel is less than a tenth of an 8-bit code, also in the
-// dark, where the sRGB curve is steepest.
-constexpr float kLeastSeenLight = 1.0f / 32768;
 
 bool is_dark(const RGB& c) {
   return std::abs(c.red) <= kEpsilon && std::abs(c.green) <= kEpsilon &&
@@ -429,7 +426,7 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
     const RGB seen = share * arriving.color;
     if (!observer_ && finish.irid.amount == 0 &&
         ray.weight * std::max({std::abs(seen.red), std::abs(seen.green), std::abs(seen.blue)}) <
-            kLeastSeenLight) {
+            least_seen_light_) {
       return RGB(0.0f);
     }
   }

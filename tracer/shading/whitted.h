@@ -2,6 +2,8 @@
 // 7-11).
 #pragma once
 
+#include <algorithm>
+
 #include "tracer/shading/direct_light.h"
 #include "tracer/shading/indirect_light.h"
 #include "tracer/shading/integrator.h"
@@ -19,6 +21,7 @@ class WhittedIntegrator : public Integrator {
                     RayObserver* observer = nullptr)
       : scene_(scene),
         direct_light_(scene),
+        least_seen_light_(kLeastSeen / static_cast<float>(std::max<size_t>(1, scene.lights.size()))),
         recursive_(depth == Depth::recursive),
         indirect_(indirect),
         observer_(observer) {}
@@ -81,8 +84,13 @@ class WhittedIntegrator : public Integrator {
                     const Vec3& top_normal, float weight, const InteriorList& inside, double ratio,
                     double dispersion, int samples, RayCounts& counts) const;
 
+  // What all lights together may leave out of a pixel: less than a tenth of an 8-bit code, also in the
+  // dark, where the sRGB curve is steepest.
+  static constexpr float kLeastSeen = 1.0f / 32768;
+
   const ShadingScene& scene_;
   DirectLight direct_light_;
+  float least_seen_light_;  // the share of one
   bool recursive_;
   const IndirectLight* indirect_;
   RayObserver* observer_;
