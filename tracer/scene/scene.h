@@ -102,8 +102,6 @@ struct Scene {
   std::vector<RainbowNode> rainbows;
   std::shared_ptr<const SkySphereNode> sky_sphere;
   std::vector<std::shared_ptr<const MediaNode>> atmosphere;
-  float atmosphere_ior = 1;
-  float atmosphere_dispersion = 1;
   GlobalSettings settings;
   TexturePtr default_texture;  // in force when parsing ended
   // Hundredths: language version at the end, and the effective one (spec/language.md 19).

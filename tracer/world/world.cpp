@@ -251,8 +251,7 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
                                     const WorldOptions& options) {
   std::unique_ptr<World> world(new World);
   WorldData& data = world->impl_->data;
-  WorldBuilder builder(data, options, static_cast<double>(scene.atmosphere_ior),
-                       static_cast<double>(scene.atmosphere_dispersion), scene.default_texture);
+  WorldBuilder builder(data, options, scene.default_texture);
   ObjectResolver resolver(scene.effective_version);
   resolver.find_shared(objects);
   builder.expect(objects.size());

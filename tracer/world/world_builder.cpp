@@ -119,12 +119,10 @@ int InteriorTable::add_copy(int number) {
   return static_cast<int>(kind_of_.size() - 1);
 }
 
-WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options, double atmosphere_ior,
-                           double atmosphere_dispersion, TexturePtr default_texture)
+WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options,
+                           TexturePtr default_texture)
     : data_(data),
       options_(options),
-      atmosphere_ior_(atmosphere_ior),
-      atmosphere_dispersion_(atmosphere_dispersion),
       default_texture_(std::move(default_texture)),
       set_(&data.scene) {
   if (!default_texture_) default_texture_ = std::make_shared<const TextureNode>();
@@ -272,8 +270,6 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
     interior = object.shared_interior;
   } else if (object.interior || parent_interior < 0) {
     WorldInterior fresh;
-    fresh.ior = atmosphere_ior_;
-    fresh.dispersion = atmosphere_dispersion_;
     if (object.interior) {
       fresh.node = object.interior;
       if (object.interior_moved) {

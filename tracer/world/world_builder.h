@@ -112,8 +112,7 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
 
 class WorldBuilder {
  public:
-  WorldBuilder(WorldData& data, const WorldOptions& options, double atmosphere_ior,
-               double atmosphere_dispersion, TexturePtr default_texture);
+  WorldBuilder(WorldData& data, const WorldOptions& options, TexturePtr default_texture);
 
   // Makes room for as many objects at scene level.
   void expect(size_t objects);
@@ -144,7 +143,6 @@ class WorldBuilder {
 
   WorldData& data_;
   WorldOptions options_;
-  double atmosphere_ior_, atmosphere_dispersion_;
   TexturePtr default_texture_;
   std::unordered_map<const ResolvedObject*, uint32_t> groups_;
   std::vector<std::shared_ptr<const ResolvedObject>> originals_;
