@@ -37,34 +37,29 @@ int Nesting::levels(const PatternNode& pattern) {
   return most;
 }
 
-int Nesting::levels(const std::shared_ptr<const PigmentNode>& pigment) {
-  if (!pigment) return 0;
-  const PatternNode& pattern = *pigment->pattern;
-  if (!pigment->pigment_map && !pigment->inner && !pattern.object && !pattern.pigment &&
-      !pattern.function) {
+// Pigments and normals: a pattern, perhaps a map, perhaps another one inside.
+template <typename Node, typename Map>
+int Nesting::levels_of_patterned(const std::shared_ptr<const Node>& node,
+                                 std::shared_ptr<const Map> Node::*map) {
+  if (!node) return 0;
+  const PatternNode& pattern = *node->pattern;
+  if (!((*node).*map) && !node->inner && !pattern.object && !pattern.pigment && !pattern.function) {
     return 0;
   }
-  int most = find(pigment.get());
+  int most = find(node.get());
   if (most >= 0) return most;
-  most = std::max(levels_of_map(pigment->pigment_map), levels(pattern));
-  if (pigment->inner) most = std::max(most, 1 + levels(pigment->inner));
-  remember(pigment, most);
+  most = std::max(levels_of_map((*node).*map), levels(pattern));
+  if (node->inner) most = std::max(most, 1 + levels(node->inner));
+  remember(node, most);
   return most;
 }
 
+int Nesting::levels(const std::shared_ptr<const PigmentNode>& pigment) {
+  return levels_of_patterned(pigment, &PigmentNode::pigment_map);
+}
+
 int Nesting::levels(const std::shared_ptr<const NormalNode>& normal) {
-  if (!normal) return 0;
-  const PatternNode& pattern = *normal->pattern;
-  if (!normal->normal_map && !normal->inner && !pattern.object && !pattern.pigment &&
-      !pattern.function) {
-    return 0;
-  }
-  int most = find(normal.get());
-  if (most >= 0) return most;
-  most = std::max(levels_of_map(normal->normal_map), levels(pattern));
-  if (normal->inner) most = std::max(most, 1 + levels(normal->inner));
-  remember(normal, most);
-  return most;
+  return levels_of_patterned(normal, &NormalNode::normal_map);
 }
 
 int Nesting::levels(const TexturePtr& texture) {

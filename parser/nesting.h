@@ -34,6 +34,9 @@ class Nesting {
   void remember(std::shared_ptr<const void> node, int levels);
   template <typename Map>
   int levels_of_map(const std::shared_ptr<const Map>& map);
+  template <typename Node, typename Map>
+  int levels_of_patterned(const std::shared_ptr<const Node>& node,
+                          std::shared_ptr<const Map> Node::*map);
   int levels_of_shape(const ShapeNode& shape);
 
   std::unordered_map<const void*, Known> known_;

@@ -82,6 +82,23 @@ class RaySource {
   int count_ = 0;
 };
 
+// Calls visit(point) for what random rays hit; at least `least` of them must.
+inline void for_random_hits(const ShapeCase& shape, int rays, int least,
+                            const std::function<void(const Vec3&)>& visit) {
+  const auto query = query_of(shape);
+  ASSERT_TRUE(query);
+  RaySource source(*query);
+  int hits = 0;
+  for (int i = 0; i < rays; ++i) {
+    const RaySource::Sample ray = source.next();
+    Vec3 point, normal;
+    if (!query->trace(ray.origin, ray.direction, point, normal)) continue;
+    ++hits;
+    visit(point);
+  }
+  EXPECT_GT(hits, least);
+}
+
 inline Vec3 slope_of(const Implicit& f, const Vec3& p) {
   constexpr double h = 1e-6;
   Vec3 slope;

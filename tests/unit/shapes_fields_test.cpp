@@ -30,18 +30,9 @@ TEST(ShapesAgainstBruteForce, HitsOfAParametricSphere) {
                         "function { 0.7*cos(v) } <0, 0>, <2*pi, pi> contained_by { sphere { 0, 0.8 } } "
                         "accuracy 0.0001 }",
                         {}, false};
-  const auto query = query_of(shape);
-  ASSERT_TRUE(query);
-  RaySource source(*query);
-  int hits = 0;
-  for (int i = 0; i < 400; ++i) {
-    const RaySource::Sample ray = source.next();
-    Vec3 point, normal;
-    if (!query->trace(ray.origin, ray.direction, point, normal)) continue;
-    ++hits;
+  for_random_hits(shape, 400, 100, [&](const Vec3& point) {
     EXPECT_NEAR(length(point), 0.7, 5e-3);  // patches end at the accuracy in u and v
-  }
-  EXPECT_GT(hits, 100);
+  });
 }
 
 }  // namespace

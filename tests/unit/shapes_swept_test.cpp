@@ -44,20 +44,11 @@ TEST(ShapesAgainstBruteForce, Swept) {
 TEST(ShapesAgainstBruteForce, HitsOfALatheLieOnItsProfile) {
   const ShapeCase shape{"open lathe", "lathe { linear_spline 3, <0.2, -0.8>, <0.7, -0.3>, <0.3, 0.7> }",
                         {}, false};
-  const auto query = query_of(shape);
-  ASSERT_TRUE(query);
-  RaySource source(*query);
-  int hits = 0;
-  for (int i = 0; i < 600; ++i) {
-    const RaySource::Sample ray = source.next();
-    Vec3 point, normal;
-    if (!query->trace(ray.origin, ray.direction, point, normal)) continue;
-    ++hits;
+  for_random_hits(shape, 600, 100, [&](const Vec3& point) {
     EXPECT_NEAR(linear_lathe(point), 0, 1e-8);
     EXPECT_GE(point.y, -0.8 - 1e-8);
     EXPECT_LE(point.y, 0.7 + 1e-8);
-  }
-  EXPECT_GT(hits, 100);
+  });
 }
 
 // The inside of a prism is that of its outline.
@@ -84,18 +75,9 @@ TEST(ShapesAgainstBruteForce, HitsOfASphereSweepTouchASphere) {
     }
     return least;
   };
-  const auto query = query_of(shape);
-  ASSERT_TRUE(query);
-  RaySource source(*query);
-  int hits = 0;
-  for (int i = 0; i < 400; ++i) {
-    const RaySource::Sample ray = source.next();
-    Vec3 point, normal;
-    if (!query->trace(ray.origin, ray.direction, point, normal)) continue;
-    ++hits;
+  for_random_hits(shape, 400, 50, [&](const Vec3& point) {
     EXPECT_NEAR(distance(point), 0, 1e-6);
-  }
-  EXPECT_GT(hits, 50);
+  });
 }
 
 }  // namespace
