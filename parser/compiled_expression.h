@@ -51,6 +51,7 @@ struct CompiledExpression {
   std::vector<uint16_t> operands;
   std::array<uint16_t, 5> result{};
   int count = 0;        // terms of the result
+  int kept = 0;         // those and what a selection left behind them
   int width = 1;        // that the context expects
   ExpressionLevel level = ExpressionLevel::sum;
   bool is_identifier = false;  // one variable or element and nothing else: passed by reference

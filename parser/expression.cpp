@@ -301,7 +301,8 @@ void Parser::State::finish_vector(Terms& terms, int width) {
           : width == 3 ? "expected a vector of three components, found a longer one or a colour"
                        : "expected a vector of four components, found a colour");
   }
-  terms.promote(width);
+  // No promotion: `translate V.y` moves by <V.y, V.y, V.z> (floats are as wide as the context by now).
+  terms.count = width;
 }
 
 Vec2 Parser::State::parse_uv() {

@@ -21,11 +21,12 @@ constexpr int kMostArguments = 8;
 // The registers of one value. A float in a wider context is the same register in each place.
 struct Operand {
   int count = 1;
+  int kept = 1;  // registers of the whole value that `.x` was selected from, else `count`
   std::array<uint16_t, 5> at{};
 
   void fill(uint16_t place, int width) {
     for (int i = 0; i < width; ++i) at[i] = place;
-    count = width;
+    count = kept = width;
   }
 };
 
@@ -53,6 +54,7 @@ class ExpressionCompiler {
     if (!plain || registers_.size() > kMostRegisters) return false;
     code_.tokens = static_cast<uint32_t>(at_ - first_);
     code_.count = result.count;
+    code_.kept = result.kept;
     code_.result = result.at;
     for (const Register& r : registers_) code_.registers.push_back(r.value);
     // Nothing but a variable and its subscripts.
@@ -105,6 +107,7 @@ class ExpressionCompiler {
     const uint16_t filler = operand.count == 1 ? operand.at[0] : constant(0.0);
     for (int i = operand.count; i < width; ++i) operand.at[i] = filler;
     operand.count = width;
+    operand.kept = std::max(operand.kept, width);
   }
   int common_width(Operand& left, Operand& right) {
     promote(left, right.count);
@@ -226,7 +229,7 @@ class ExpressionCompiler {
       if (!float_at(ExpressionLevel::sum, out.at[count++])) return false;
       if (count < 5) accept(Symbol::comma);
     } while (count < 5 && (count < 2 || !token().is(Symbol::greater)));
-    out.count = count;
+    out.count = out.kept = count;
     return accept(Symbol::greater);
   }
 
@@ -238,7 +241,7 @@ class ExpressionCompiler {
   }
   bool vector_at(Operand& operand) {
     if (!sum(operand, 3) || operand.count > 3) return false;
-    promote(operand, 3);
+    for (int i = operand.kept; i < 3; ++i) operand.at[i] = constant(0.0);
     return true;
   }
 
@@ -271,7 +274,7 @@ class ExpressionCompiler {
       step.name = name;
       step.count = static_cast<uint8_t>(count);
       for (int i = 0; i < count; ++i) out.at[i] = static_cast<uint16_t>(step.to + i);
-      out.count = count;
+      out.count = out.kept = count;
       if (count == 3) promote(out, width);
     } else {
       return false;
@@ -324,7 +327,7 @@ class ExpressionCompiler {
     ++at_;
     const auto unit = [&](double x, double y, double z) {
       out.at[0] = constant(x), out.at[1] = constant(y), out.at[2] = constant(z);
-      out.count = 3;
+      out.count = out.kept = 3;
       promote(out, width);
       return true;
     };
@@ -367,7 +370,7 @@ class ExpressionCompiler {
       case Keyword::v:
         out.at[0] = constant(keyword == Keyword::u ? 1 : 0);
         out.at[1] = constant(keyword == Keyword::u ? 0 : 1);
-        out.count = 2;
+        out.count = out.kept = 2;
         return true;
       case Keyword::pi: return number(kPi);
       case Keyword::true_: case Keyword::yes: case Keyword::on: return number(1);
@@ -458,7 +461,7 @@ class ExpressionCompiler {
       return true;
     }
     for (int axis = 0; axis < 3; ++axis) out.at[axis] = static_cast<uint16_t>(step.to + axis);
-    out.count = 3;
+    out.count = out.kept = 3;
     promote(out, width);
     return true;
   }

@@ -296,7 +296,7 @@ bool Parser::State::evaluate_compiled(Terms& out, int width, ExpressionLevel lev
   }
   code->misses = 0;
   out.count = code->count;
-  for (int i = 0; i < code->count; ++i) {
+  for (int i = 0; i < code->kept; ++i) {
     out.v[i] = code->registers[code->result[static_cast<size_t>(i)]];
   }
   pass_tokens(first, code->tokens);

@@ -21,9 +21,10 @@ class CompiledFunction;
 class Spline;
 struct UserFile;
 
-// One to five numbers on their way through an expression.
+// One to five numbers on their way through an expression. Those behind `count` are what a selection
+// (`V.y`) or a short vector left there: a context that wants a vector takes them as they are.
 struct Terms {
-  double v[5];
+  double v[5] = {};
   int count = 1;
 
   // Floats are replicated, vectors padded with zeros (spec/language.md 5.2).

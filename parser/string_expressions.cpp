@@ -204,7 +204,6 @@ std::u16string Parser::State::parse_string(bool path) {
       accept_comma();
       Terms terms;
       parse_sum(terms, 1);
-      for (int i = terms.count; i < 5; ++i) terms.v[i] = 0;
       accept_comma();
       const std::u16string separator = parse_string();
       accept_comma();

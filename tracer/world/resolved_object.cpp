@@ -124,9 +124,7 @@ std::shared_ptr<const LightNode> moved(const LightNode& light, const Transform& 
 void ResolvedObject::recompute_box() {
   if (!shape || is_quadric) return;
   const Bounds local = shape->bounds();
-  if (is_plane) {
-    if (!clips.empty()) box = clips.front().box;
-  } else if (!local.is_bounded()) {
+  if (is_plane || !local.is_bounded()) {
     // A move forgets the box of bounded_by.
     box = clips.empty() ? FloatBox() : clips.front().box;
   } else if (!has_transform) {
