@@ -6,6 +6,11 @@ add_custom_target(check_rooms ALL
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/cmake/check_rooms.py ${CMAKE_SOURCE_DIR}
   COMMENT "Checking that rooms include only what they may" VERBATIM)
 
+# The standard library and GLM are nine tenths of what a source includes: the math room compiles them
+# for all rooms.
+set(DURER_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <mutex>
+    <optional> <stdexcept> <string> <string_view> <unordered_map> <utility> <variant> <vector>
+    <glm/common.hpp> <glm/geometric.hpp> <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp>)
 # durer_room(NAME folder DEPENDS rooms... LIBRARIES imported targets...)
 function(durer_room name folder)
   cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES;EXCLUDE" ${ARGN})
@@ -20,6 +25,11 @@ function(durer_room name folder)
       target_link_libraries(durer_${name} PUBLIC durer_${room})
     endforeach()
     add_dependencies(durer_${name} check_rooms)
+    if(name STREQUAL math)
+      target_precompile_headers(durer_math PRIVATE ${DURER_COMMON_HEADERS})
+    else()
+      target_precompile_headers(durer_${name} REUSE_FROM durer_math)
+    endif()
   else()
     add_library(durer_${name} INTERFACE)
     target_link_libraries(durer_${name} INTERFACE durer_flags ${ROOM_LIBRARIES})

@@ -75,7 +75,7 @@ bool Camera::generate_lens_ray(double x, double y, const Vec2& lens, Ray& ray) c
 }
 
 Vec3 Camera::finished_direction(const Vec3& direction, const Vec2& place) const {
-  const Vec3 straight = normalize_or_zero(direction);
+  const Vec3 straight = unit_or_zero(direction);
   if (!normal_) return straight;
   TextureContext context;
   context.normal = straight;

@@ -6,16 +6,13 @@
 #include <limits>
 
 #include "tracer/intersect/bvh_build.h"
-#include "tracer/intersect/bvh_kernel.h"
+#include "tracer/intersect/bvh_walk.h"
 
 namespace durer {
 namespace {
 
 // Relative margin of the boxes: the ray's origin is rounded to single precision.
 constexpr double kMargin = 2.5e-7;
-
-const bool kHasV3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-                    __builtin_cpu_supports("bmi2");
 
 // Of finite numbers.
 float round_down(double x) {
@@ -28,6 +25,9 @@ float round_down(double x) {
 float round_up(double x) { return -round_down(-x); }
 
 }  // namespace
+
+const bool kHasX86v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                       __builtin_cpu_supports("bmi2");
 
 void Bvh::build(const std::vector<Bounds>& boxes) {
   build(boxes.size(), [&](uint32_t i) { return boxes[i]; });
@@ -58,41 +58,6 @@ void Bvh::build(size_t count, const std::function<Bounds(uint32_t)>& box_of) {
   rounded = {};
   // A copy to save little would need more than it saves.
   if (nodes_.capacity() - nodes_.size() > nodes_.size() / 2) nodes_.shrink_to_fit();
-}
-
-void Bvh::visit_ray(const BvhRay& ray, double t_max, BvhRayVisitor visitor,
-                    void* context) const {
-  if (nodes_.empty()) return;
-  // Clip to the whole in double, and start there: far origins would lose their digits.
-  double enter = 0, leave = t_max;
-  if (!reach_.contains(ray.origin)) {
-    ray.clip(reach_, enter, leave);
-    if (!(enter <= leave * (1 + 1e-12))) return;
-  }
-  BvhRayQuery query;
-  query.nodes = nodes_.data();
-  query.t_offset = enter;
-  query.t_max = t_max;
-  query.visitor = visitor;
-  query.context = context;
-  for (int axis = 0; axis < 3; ++axis) {
-    query.origin[axis] =
-        static_cast<float>(ray.origin[axis] + enter * ray.direction[axis] - center_[axis]);
-    query.inverse[axis] = static_cast<float>(ray.inverse[axis]);
-  }
-  kHasV3 ? v3_kernel::visit_ray(query) : base_kernel::visit_ray(query);
-}
-
-void Bvh::visit_point(const Vec3& point, BvhPointVisitor visitor, void* context) const {
-  if (nodes_.empty()) return;
-  BvhPointQuery query;
-  query.nodes = nodes_.data();
-  query.visitor = visitor;
-  query.context = context;
-  for (int axis = 0; axis < 3; ++axis) {
-    query.point[axis] = static_cast<float>(point[axis] - center_[axis]);
-  }
-  kHasV3 ? v3_kernel::visit_point(query) : base_kernel::visit_point(query);
 }
 
 }  // namespace durer

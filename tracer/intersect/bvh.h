@@ -50,12 +50,6 @@ struct BvhRay {
 };
 static_assert(offsetof(Bounds, max) == sizeof(Vec3));
 
-// Tests one leaf's items: `count` positions from `first` on in items(). May lower t_max; returns
-// true to end the walk.
-using BvhRayVisitor = bool (*)(void* context, uint32_t first, uint32_t count, double& t_max);
-// The same for one item: its position in items().
-using BvhPointVisitor = bool (*)(void* context, uint32_t position);
-
 class Bvh {
  public:
   // Boxes must be finite and not empty; item i is boxes[i].
@@ -65,9 +59,15 @@ class Bvh {
 
   // Visits the leaves whose boxes the ray may meet before t_max, near ones first; each item at least
   // when its box overlaps [0, t_max], perhaps also others. Origins may be anywhere.
-  void visit_ray(const BvhRay& ray, double t_max, BvhRayVisitor visitor, void* context) const;
+  // bool visit(uint32_t first, uint32_t count, double& t_max) tests one leaf's items, `count`
+  // positions from `first` on in items(); it may lower t_max and returns true to end the walk.
+  // Defined in bvh_walk.h.
+  template <typename Visitor>
+  void visit_ray(const BvhRay& ray, double t_max, Visitor&& visit) const;
   // Visits the items whose boxes contain the point, perhaps also others.
-  void visit_point(const Vec3& point, BvhPointVisitor visitor, void* context) const;
+  // bool visit(uint32_t position): one item's position in items(); true ends the walk.
+  template <typename Visitor>
+  void visit_point(const Vec3& point, Visitor&& visit) const;
 
   // Item numbers in the order of the leaves.
   const std::vector<uint32_t>& items() const { return items_; }

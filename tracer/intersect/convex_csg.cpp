@@ -1,7 +1,6 @@
-// Intersections and differences of few convex solids and half spaces, the most usual kind of CSG: one
-// sweep along the ray over where it crosses the members' surfaces, without asking for points inside
-// (performance.md 4). In doubtful cases, where surfaces coincide or a crossing is missing, the general
-// way decides (geometry.cpp).
+// CSG of few convex solids and half spaces, the most usual kind: one sweep along the ray over where it
+// crosses their surfaces, without asking for points inside (performance.md 4). In doubtful cases, where
+// surfaces coincide or a crossing is missing, the general way decides (geometry.cpp).
 #include <cmath>
 
 #include "tracer/intersect/geometry.h"
@@ -9,7 +8,7 @@
 namespace durer {
 namespace {
 
-constexpr uint32_t kMostMembers = 8;
+constexpr uint32_t kMostMembers = 16;
 // Where on the ray the sweep starts: before all hits that count.
 constexpr double kStart = 0.5 * kLeastHitDepth;
 // Crossings of two members closer than this share of their depth are doubtful.
@@ -40,26 +39,80 @@ class Crossings {
   int count_ = 0;
 };
 
+// What is known of a part of a CSG where the ray crosses the surface of one of its solids.
+struct PartState {
+  bool contains = false;    // the place, but for the side of the crossed surface
+  bool is_crossed = false;  // the crossed solid is a part of it
+  bool shows = false;       // then: the crossing is on its surface
+};
+
+// `solid` is the bit of the next solid in the order of gather_convex_solids().
+PartState part_state(const Geometry& geometry, const GeometryNode& node, uint32_t crossed,
+                     uint32_t within, uint32_t& solid) {
+  if (node.kind == NodeKind::shape) {
+    const uint32_t bit = solid;
+    solid <<= 1;
+    return {(within & bit) != 0, bit == crossed, bit == crossed};
+  }
+  const uint32_t* child = geometry.lists.data() + node.children.first;
+  PartState whole;
+  bool all = true, any = false;
+  for (uint32_t i = 0; i < node.children.count; ++i) {
+    const PartState part = part_state(geometry, geometry.nodes[child[i]], crossed, within, solid);
+    if (part.is_crossed) {
+      whole.is_crossed = true;
+      whole.shows = part.shows;
+    } else {
+      all &= part.contains;
+      any |= part.contains;
+    }
+  }
+  if (node.kind == NodeKind::intersection) {
+    whole.shows &= all;
+    whole.contains = all;
+  } else {
+    // Surfaces within a union are seen, within a merge they are not.
+    if (node.kind == NodeKind::merge) whole.shows &= !any;
+    whole.contains = any;
+  }
+  return whole;
+}
+
 }  // namespace
 
-bool Geometry::is_of_convex_solids(const GeometryNode& node) const {
-  if (node.kind != NodeKind::intersection || node.clips.count || node.tree >= 0 ||
-      node.children.count > kMostMembers) {
-    return false;
+// Appends the solids of a CSG in the order of its tree; false if it has others, or too many.
+bool Geometry::gather_convex_solids(uint32_t index, std::vector<uint32_t>& solids,
+                                    bool& is_flat) const {
+  const GeometryNode& node = nodes[index];
+  if (node.clips.count) return false;
+  if (node.kind == NodeKind::shape) {
+    solids.push_back(index);
+    return solids.size() <= kMostMembers &&
+           (node.shape->is_convex_solid() || node.shape->is_half_space());
   }
+  if (node.kind == NodeKind::nothing || node.tree >= 0) return false;
+  is_flat &= node.kind == NodeKind::intersection;
   for (uint32_t i = 0; i < node.children.count; ++i) {
-    const GeometryNode& member = nodes[lists[node.children.first + i]];
-    if (member.kind != NodeKind::shape || member.clips.count || member.bounds.count ||
-        !(member.shape->is_convex_solid() || member.shape->is_half_space())) {
+    const uint32_t child = lists[node.children.first + i];
+    if (nodes[child].bounds.count) return false;
+    // Which members of a union take part may depend on the ray.
+    if (node.kind != NodeKind::intersection && (nodes[child].hidden || !nodes[child].has_object)) {
       return false;
     }
+    if (!gather_convex_solids(child, solids, is_flat)) return false;
   }
   return true;
 }
 
+// Whether a crossing of one solid's surface is one of the node's, at a place within some solids.
+bool Geometry::is_on_surface(const GeometryNode& node, uint32_t crossed, uint32_t within) const {
+  uint32_t first = 1;
+  return part_state(*this, node, crossed, within, first).shows;
+}
+
 Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const GeometryRay& ray,
                                               double t_max, HitStack& stack, ShapeHit& hit) const {
-  const uint32_t* child = lists.data() + node.children.first;
+  const uint32_t* child = lists.data() + node.swept.first;
   const size_t base = stack.size();
   const auto give_back = [&](Sweep result) {
     stack.shrink(base);
@@ -67,7 +120,7 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
   };
   Crossings crossings;
   uint32_t outside = 0;  // members whose solids the sweep is not in
-  for (uint32_t i = 0; i < node.children.count; ++i) {
+  for (uint32_t i = 0; i < node.swept.count; ++i) {
     const GeometryNode& member = nodes[child[i]];
     const uint32_t bit = 1u << i;
     double low = kStart, high = t_max;
@@ -103,7 +156,7 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
     }
     const bool in_solid = inside != member.inverted;
     if (!in_solid) {
-      if (count == 0) return give_back(Sweep::missed);
+      if (count == 0 && node.is_flat) return give_back(Sweep::missed);
       outside |= bit;
     }
     for (size_t k = first; k < stack.size(); ++k) {
@@ -118,8 +171,9 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
       return give_back(Sweep::doubtful);
     }
     before = &crossing;
-    // The surface shows where all the others contain it.
-    const bool shows = (outside & ~crossing.member) == 0 && crossing.t >= kLeastHitDepth;
+    const bool shows = crossing.t >= kLeastHitDepth &&
+                       (node.is_flat ? (outside & ~crossing.member) == 0
+                                     : is_on_surface(node, crossing.member, ~outside));
     if (shows && crossing.t >= t_max) return give_back(Sweep::missed);
     if (shows) {
       const Crossing* next = &crossing + 1;

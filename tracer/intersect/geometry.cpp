@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/intersect/bvh_walk.h"
+
 namespace durer {
 namespace {
 
@@ -112,21 +114,12 @@ bool Geometry::all_or_none(const GeometryNode& node, const Vec3& point, bool wan
   for (const uint32_t i : tree.others) {
     if (!agrees(child[i])) return false;
   }
-  struct Context {
-    const decltype(agrees)& test;
-    const uint32_t* child;
-    const uint32_t* bounded;
-    bool agreed;
-  } context{agrees, child, tree.bounded.data(), true};
-  tree.bvh.visit_point(
-      point,
-      [](void* data, uint32_t position) {
-        auto& c = *static_cast<Context*>(data);
-        c.agreed = c.test(c.child[c.bounded[position]]);
-        return !c.agreed;
-      },
-      &context);
-  return context.agreed;
+  bool agreed = true;
+  tree.bvh.visit_point(point, [&](uint32_t position) {
+    agreed = agrees(child[tree.bounded[position]]);
+    return !agreed;
+  });
+  return agreed;
 }
 
 bool Geometry::keeps_hit(const GeometryNode& node, uint32_t child, const Vec3& point,
@@ -174,20 +167,10 @@ void Geometry::for_each_child_met(const GeometryNode& node, const GeometryRay& r
     const ChildTree& tree = *trees[node.tree];
     ChildPicker picker;
     for (const uint32_t i : tree.others) picker.add(i);
-    struct Context {
-      ChildPicker& picker;
-      const ChildTree& tree;
-    } context{picker, tree};
-    tree.bvh.visit_ray(
-        ray, interval.max,
-        [](void* data, uint32_t first, uint32_t count, double&) {
-          auto& c = *static_cast<Context*>(data);
-          for (uint32_t i = first; i < first + count; ++i) {
-            c.picker.add(c.tree.bounded[i]);
-          }
-          return c.picker.overflowed();
-        },
-        &context);
+    tree.bvh.visit_ray(ray, interval.max, [&](uint32_t first, uint32_t count, double&) {
+      for (uint32_t i = first; i < first + count; ++i) picker.add(tree.bounded[i]);
+      return picker.overflowed();
+    });
     if (!picker.overflowed()) {
       picker.sort();
       for (const uint32_t i : picker) {
@@ -282,49 +265,32 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& 
 // The nearest of the children; of equal ones the last.
 bool Geometry::closest_of_union(const GeometryNode& node, const GeometryRay& ray, double t_max,
                                 HitStack& stack, ShapeHit& hit) const {
-  struct Context {
-    const Geometry& geometry;
-    const GeometryNode& node;
-    const GeometryRay& ray;
-    HitStack& stack;
-    ShapeHit& hit;
-    const ChildTree* tree;
-    double best;
-    int64_t position;
-    bool found;
-
-    void test(uint32_t i) {
-      const uint32_t child = geometry.lists[node.children.first + i];
-      const GeometryNode& member = geometry.nodes[child];
-      if (!geometry.takes_part(node, member, ray.kind)) return;
-      if (member.bounds.count && !geometry.passes_bounds(member, ray, stack)) return;
-      const double limit = found && i > position ? just_beyond(best) : best;
-      ShapeHit candidate;
-      if (!geometry.closest(child, ray, limit, stack, candidate)) return;
-      hit = candidate;
-      best = hit.t;
-      position = i;
-      found = true;
-    }
-  } context{*this, node, ray, stack, hit, nullptr, t_max, -1, false};
+  double best = t_max;
+  int64_t position = -1;
+  const auto test = [&](uint32_t i) {
+    const uint32_t child = lists[node.children.first + i];
+    const GeometryNode& member = nodes[child];
+    if (!takes_part(node, member, ray.kind)) return;
+    if (member.bounds.count && !passes_bounds(member, ray, stack)) return;
+    const double limit = position >= 0 && i > position ? just_beyond(best) : best;
+    ShapeHit candidate;
+    if (!closest(child, ray, limit, stack, candidate)) return;
+    hit = candidate;
+    best = hit.t;
+    position = i;
+  };
   if (node.tree < 0) {
-    for (uint32_t i = 0; i < node.children.count; ++i) context.test(i);
-    return context.found;
+    for (uint32_t i = 0; i < node.children.count; ++i) test(i);
+    return position >= 0;
   }
-  context.tree = trees[node.tree].get();
-  for (const uint32_t i : context.tree->others) context.test(i);
-  context.tree->bvh.visit_ray(
-      ray, context.best,
-      [](void* data, uint32_t first, uint32_t count, double& limit) {
-        auto& c = *static_cast<Context*>(data);
-        for (uint32_t i = first; i < first + count; ++i) {
-          c.test(c.tree->bounded[i]);
-        }
-        limit = c.best;
-        return false;
-      },
-      &context);
-  return context.found;
+  const ChildTree& tree = *trees[node.tree];
+  for (const uint32_t i : tree.others) test(i);
+  tree.bvh.visit_ray(ray, best, [&](uint32_t first, uint32_t count, double& limit) {
+    for (uint32_t i = first; i < first + count; ++i) test(tree.bounded[i]);
+    limit = best;
+    return false;
+  });
+  return position >= 0;
 }
 
 // All members' hits are gathered first; then the nearest that the others let stand is looked for.
@@ -333,11 +299,13 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
   constexpr size_t kMost = 64;
   uint32_t member[kMost];
   Interval interval{kLeastHitDepth, t_max};
-  if (node.is_swept) {
+  // Of one intersection each solid's own box says as much.
+  if (node.is_boxed && !node.is_flat && !clip_to(node.reach, ray, interval)) return false;
+  if (node.swept.count) {
     const Sweep sweep = sweep_convex_solids(node, ray, t_max, stack, hit);
     if (sweep != Sweep::doubtful) return sweep == Sweep::met;
   }
-  if (node.is_boxed && !clip_to(node.reach, ray, interval)) return false;
+  if (node.is_boxed && node.is_flat && !clip_to(node.reach, ray, interval)) return false;
   const size_t base = stack.size();
   bool missed = false, overflowed = false;
   for_each_child_met(node, ray, interval, [&](uint32_t child) {
@@ -415,7 +383,14 @@ void Geometry::finish_node(uint32_t index) {
   GeometryNode& node = nodes[index];
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
-  node.is_swept = is_of_convex_solids(node);
+  std::vector<uint32_t> solids;
+  bool is_flat = true;
+  if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&
+      gather_convex_solids(index, solids, is_flat)) {
+    node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
+    node.is_flat = is_flat;
+    lists.insert(lists.end(), solids.begin(), solids.end());
+  }
   // A sphere or box in place is met or missed as fast as its bounds; so is an intersection that
   // starts with one.
   const auto is_quick = [](const GeometryNode& n) {

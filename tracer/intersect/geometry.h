@@ -32,7 +32,7 @@ struct GeometryNode {
   bool is_opaque = false;       // stops light whatever happens
   bool csg_child = false;
   bool narrows = false;         // a convex solid: an intersection with it lies within its hits
-  bool is_swept = false;        // an intersection for sweep_convex_solids()
+  bool is_flat = false;         // `swept` stands for one intersection of all
   bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
   bool has_object = true;       // false: a light without looks_like takes no part in inside tests
@@ -43,6 +43,7 @@ struct GeometryNode {
   uint32_t object = 0;          // the caller's number
   const Shape* shape = nullptr;
   NodeRange children, clips, bounds;
+  NodeRange swept;              // the convex solids of a CSG for sweep_convex_solids(), if it is one
   int32_t tree = -1;            // of many children: Geometry::trees
   Bounds reach;                 // the surface and a hair more: outside of it nothing happens
 };
@@ -108,7 +109,8 @@ class Geometry {
                         HitStack& stack, ShapeHit& hit) const;
   // convex_csg.cpp
   enum class Sweep : uint8_t { missed, met, doubtful };
-  bool is_of_convex_solids(const GeometryNode& node) const;
+  bool gather_convex_solids(uint32_t node, std::vector<uint32_t>& solids, bool& is_flat) const;
+  bool is_on_surface(const GeometryNode& node, uint32_t crossed, uint32_t within) const;
   Sweep sweep_convex_solids(const GeometryNode& node, const GeometryRay& ray, double t_max,
                             HitStack& stack, ShapeHit& hit) const;
   bool closest_of_composite(const GeometryNode& node, const GeometryRay& ray, double t_max,

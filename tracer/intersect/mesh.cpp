@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracer/intersect/bvh.h"
+#include "tracer/intersect/bvh_walk.h"
 #include "tracer/intersect/embree_mesh.h"
 #include "tracer/shapes/triangle.h"
 
@@ -233,18 +234,12 @@ class Mesh final : public Shape {
           &context);
       return;
     }
-    struct Context {
-      Visit& visit;
-      const std::vector<uint32_t>& faces;
-    } context{visit, bvh_.items()};
-    bvh_.visit_ray(
-        {ray.origin, ray.direction}, max_depth,
-        [](void* data, uint32_t first, uint32_t count, double& limit) {
-          auto& c = *static_cast<Context*>(data);
-          for (uint32_t i = first; i < first + count; ++i) c.visit(c.faces[i], false, limit);
-          return false;
-        },
-        &context);
+    const std::vector<uint32_t>& faces = bvh_.items();
+    bvh_.visit_ray({ray.origin, ray.direction}, max_depth,
+                   [&](uint32_t first, uint32_t count, double& limit) {
+                     for (uint32_t i = first; i < first + count; ++i) visit(faces[i], false, limit);
+                     return false;
+                   });
   }
 
   std::shared_ptr<const ShapeNode> node_;

@@ -22,6 +22,8 @@ Light::Light(const LightNode& node)
       is_directed_(node.parallel || node.kind == LightKind::cylinder),
       is_attenuated_(node.kind != LightKind::point || node.fade_power > 0) {
   axis_ = normalize_or_zero(node.point_at - node.location);
+  if (node.size1 > 1) grid_step1_ = 1.0 / (node.size1 - 1);
+  if (node.size2 > 1) grid_step2_ = 1.0 / (node.size2 - 1);
   if (node.kind == LightKind::spot) {
     cos_radius_ = std::cos(node.radius * (M_PI / 180));
     cos_falloff_ = std::cos(node.falloff * (M_PI / 180));
@@ -66,7 +68,11 @@ double Light::attenuation_of_shape(const Vec3& point, const Vec3& center,
 }
 
 AreaLightGrid::AreaLightGrid(const Light& light, const Vec3& point)
-    : node(light.node()), axis1(light.node().axis1), axis2(light.node().axis2) {
+    : node(light.node()),
+      axis1(light.node().axis1),
+      axis2(light.node().axis2),
+      step1(light.grid_step1()),
+      step2(light.grid_step2()) {
   if (!node.orient) return;
   // Turn the disc towards the point; its diameter is the first axis.
   const Vec3 towards = normalize_or_zero(node.location - point);
@@ -83,8 +89,8 @@ Vec3 AreaLightGrid::sample(int i, int j, double jitter_i, double jitter_j) const
     u += jitter_i - 0.5;
     v += jitter_j - 0.5;
   }
-  u = node.size1 > 1 ? u / (node.size1 - 1) - 0.5 : 0.0;
-  v = node.size2 > 1 ? v / (node.size2 - 1) - 0.5 : 0.0;
+  u = step1 > 0 ? u * step1 - 0.5 : 0.0;
+  v = step2 > 0 ? v * step2 - 0.5 : 0.0;
   if (node.circular) {
     u += 0.001;
     v += 0.001;

@@ -29,11 +29,14 @@ class Light {
   }
   // The direction in which the light shines (spot, cylinder, parallel).
   const Vec3& axis() const { return axis_; }
+  // From one sample of an area light's grid to the next, as a share of its axis.
+  double grid_step1() const { return grid_step1_; }
+  double grid_step2() const { return grid_step2_; }
 
  private:
   static LightDirection towards(const Vec3& to_center) {
     const double distance = length(to_center);
-    return {distance > 0 ? to_center / distance : to_center, distance};
+    return {distance > 0 ? to_center * (1 / distance) : to_center, distance};
   }
   LightDirection along_axis(const Vec3& point, const Vec3& center) const;
   double attenuation_of_shape(const Vec3& point, const Vec3& center,
@@ -44,6 +47,7 @@ class Light {
   bool is_attenuated_;  // by its shape or by distance
   Vec3 axis_{0, 0, 1};
   double cos_radius_ = 1, cos_falloff_ = 1;
+  double grid_step1_ = 0, grid_step2_ = 0;
 };
 
 // An area light's grid as seen from one point (9.3): sizes, axes after `orient`.
@@ -54,6 +58,7 @@ struct AreaLightGrid {
 
   const LightNode& node;
   Vec3 axis1, axis2;
+  double step1, step2;  // of the grid, in axes; 0: one row or column only
 };
 
 }  // namespace durer

@@ -95,19 +95,6 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
   return sum;
 }
 
-ArrivingLight DirectLight::unshadowed(int index, const Vec3& point) const {
-  const Light& light = scene_.lights[index];
-  ArrivingLight result;
-  result.direction = light.direction_from(point, light.node().location);
-  // With area_illumination each sample is attenuated by itself, later.
-  const bool per_sample =
-      light.node().area_illumination && light.node().area && scene_.options.quality >= 5;
-  const double attenuation =
-      per_sample ? 1 : light.attenuation(point, light.node().location, result.direction);
-  result.color = light.node().color * static_cast<float>(attenuation);
-  return result;
-}
-
 void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ray,
                                ArrivingLight& arriving, RayCounts& counts) const {
   const LightNode& node = scene_.lights[index].node();
@@ -145,15 +132,21 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
     color = RGB(0.0f);
     return;
   }
-  double remaining = to_light.distance;
-  if (remaining <= kShadowTolerance || light.shadowless) return;
-  const World& world = *scene_.world;
+  if (to_light.distance <= kShadowTolerance || light.shadowless) return;
   // Most shadow rays are stopped by something opaque or by nothing.
-  if (world.occluded_by_opaque(point, to_light.direction,
-                               remaining - std::max(margin, kShadowTolerance), index)) {
+  if (scene_.world->occluded_by_opaque(
+          point, to_light.direction, to_light.distance - std::max(margin, kShadowTolerance), index)) {
     color = RGB(0.0f);
-    return;
+  } else if (scene_.world->has_clear_casters() || scene_.atmosphere.has_fog()) {
+    filter_shadow(index, point, to_light, margin, ray, color);
   }
+}
+
+void DirectLight::filter_shadow(int index, const Vec3& point, const LightDirection& to_light,
+                                double margin, const TracedRay& ray, RGB& color) const {
+  const LightNode& light = scene_.lights[index].node();
+  const World& world = *scene_.world;
+  double remaining = to_light.distance;
   InteriorList interiors = ray.interiors;
   Vec3 origin = point;
   const bool through_air = light.media_interaction && light.media_attenuation &&
@@ -234,13 +227,15 @@ RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray,
   // the jitter is a function of the grid point, so the answers agree.
   constexpr int kMostCached = 1024;
   std::array<RGB, kMostCached> cache;
-  std::array<bool, kMostCached> known;
+  std::array<uint64_t, kMostCached / 64> known;  // a bit for each grid point
   const bool cached = columns * rows <= kMostCached;
-  if (cached) std::fill_n(known.begin(), columns * rows, false);
+  if (cached) {
+    for (int word = 0; word <= (columns * rows - 1) / 64; ++word) known[word] = 0;
+  }
 
   auto sample = [&](int i, int j) {
     const int cell = j * columns + i;
-    if (cached && known[cell]) return cache[cell];
+    if (cached && known[cell / 64] >> cell % 64 & 1) return cache[cell];
     const uint32_t counter = static_cast<uint32_t>(cell) * 2;
     const uint32_t purpose = kPurposeAreaLight + 16 * static_cast<uint32_t>(index);
     const Vec3 center = node.jitter ? grid.sample(i, j, path_random(ray.path, purpose, counter),
@@ -249,7 +244,7 @@ RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray,
     RGB arriving = color;
     trace_shadow(index, point, light.direction_from(point, center), ray, arriving, counts);
     if (cached) {
-      known[cell] = true;
+      known[cell / 64] |= uint64_t{1} << cell % 64;
       cache[cell] = arriving;
     }
     return arriving;

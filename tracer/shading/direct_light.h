@@ -18,7 +18,19 @@ class DirectLight {
   explicit DirectLight(const ShadingScene& scene) : scene_(scene) {}
 
   // Direction and unshadowed colour of 9.1 and 9.2.
-  ArrivingLight unshadowed(int light, const Vec3& point) const;
+  ArrivingLight unshadowed(int index, const Vec3& point) const {
+    const Light& light = scene_.lights[index];
+    const LightNode& node = light.node();
+    ArrivingLight result;
+    result.direction = light.direction_from(point, node.location);
+    // With area_illumination each sample is attenuated by itself, later.
+    const bool per_sample =
+        node.area_illumination && node.area && scene_.options.quality >= 5;
+    const double attenuation =
+        per_sample ? 1 : light.attenuation(point, node.location, result.direction);
+    result.color = node.color * static_cast<float>(attenuation);
+    return result;
+  }
   // Takes from `arriving` what lies between point and light. `ray` is the ray that saw the point.
   void apply_shadow(int light, const Vec3& point, const TracedRay& ray, ArrivingLight& arriving,
                     RayCounts& counts) const;
@@ -27,6 +39,9 @@ class DirectLight {
   // Follows one shadow ray from the point to `center`; multiplies color.
   void trace_shadow(int light, const Vec3& point, const LightDirection& to_light,
                     const TracedRay& ray, RGB& color, RayCounts& counts) const;
+  // The same past the opaque objects: through those that let light through, and fog.
+  void filter_shadow(int light, const Vec3& point, const LightDirection& to_light, double margin,
+                     const TracedRay& ray, RGB& color) const;
   RGB area_shadow(int light, const Vec3& point, const TracedRay& ray, const RGB& color,
                   RayCounts& counts) const;
   bool passes_projection(int light, const Vec3& point, const LightDirection& to_light,

@@ -14,7 +14,10 @@ class InteriorList {
   InteriorList(const InteriorList& other) { *this = other; }
   InteriorList& operator=(const InteriorList& other) {
     count_ = other.count_;
-    for (int i = 0; i < count_; ++i) entry_[i] = other.entry_[i];
+    // Rays are seldom in more than two. Without a loop, which would be made a copy of bytes.
+    if (count_ > 0) entry_[0] = other.entry_[0];
+    if (count_ > 1) entry_[1] = other.entry_[1];
+    for (int i = 2; i < count_; ++i) entry_[i] = other.entry_[i];
     return *this;
   }
 

@@ -19,7 +19,7 @@ bool refracted(const Vec3& d, Vec3 n, double eta, Vec3& out) {
   }
   const double t = 1 + eta * eta * (c * c - 1);
   if (t < 0) return false;
-  out = normalize_or_zero(eta * d + (eta * c - std::sqrt(t)) * n);
+  out = unit_or_zero(eta * d + (eta * c - std::sqrt(t)) * n);
   return true;
 }
 
@@ -34,7 +34,8 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   const double own_ior = interior.ior;
 
   // What the ray is in behind the surface, and the ratio of the indices.
-  InteriorList behind = ray.interiors;
+  TracedRay next = ray;
+  InteriorList& behind = next.interiors;
   double ratio = 1, dispersion = 1;
   int samples = interior.dispersion_samples;
   const int position = ray.interiors.find(hit.surface.object->interior);
@@ -70,7 +71,6 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
 
   const bool straight = std::abs(ratio - 1) < kEpsilon && std::abs(dispersion - 1) < kEpsilon;
   ++counts.refracted;
-  TracedRay next = ray;
   next.origin = hit.surface.point;
   next.max_depth = kFarAway;
   next.kind.primary = false;
@@ -78,7 +78,6 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   next.events.append(PathEvents::Event::specular);
   next.weight = weight;
   next.path = extend_path(ray.path, kEventTransmission);
-  next.interiors = behind;
   if (straight) {
     // Straight on counts as one level, however many surfaces follow.
     if (ray.level + 1 >= scene_.scene.settings.max_trace_level) return false;

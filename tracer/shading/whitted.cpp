@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <new>
-#include <optional>
 
 #include "tracer/shading/reflectance.h"
 
@@ -86,15 +83,8 @@ RayResult WhittedIntegrator::follow(const TracedRay& ray, RayCounts& counts) con
 void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& surface,
                                       double depth, RayCounts& counts, RayResult& result) const {
   if (observer_) [[unlikely]] observer_->ray_hit(ray, surface, depth);
-  const int interior = surface.object->interior;
-  SurfaceHit hit{surface, scene_.world->interiors()[interior], {},
-                 depth,   ray.interiors.find(interior) >= 0,   nullptr};
-  hit.context.has_surface = true;
-  hit.context.ray_direction = ray.direction;
-  hit.context.normal = dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
-  hit.last_normal = hit.context.normal;
-  hit.context.world_point = surface.point;
-  hit.context.uv = surface.uv;
+  const Vec3 facing = dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
+  SurfaceHit hit(ray, surface, scene_.world->interiors()[surface.object->interior], depth, facing);
   const Vec3 point =
       surface.object->uv_mapping ? Vec3(surface.uv.x, surface.uv.y, 0) : surface.point;
 
@@ -152,9 +142,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
   float trans = 1;
   bool found_any = false;
   Vec3 top_normal = hit.context.normal;
-  // Not initialised: most textures reflect nothing.
-  alignas(ReflectedLayer) std::byte storage[kMostReflections * sizeof(ReflectedLayer)];
-  const auto reflected = reinterpret_cast<ReflectedLayer*>(storage);
+  Uncleared<ReflectedLayer> reflected[kMostReflections];
   int reflected_count = 0;
   const TextureLayer* first_layer = nullptr;
 
@@ -163,11 +151,10 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     // The layer's normal and colour.
     Vec3 normal = hit.context.normal;
     const TextureContext* context = &hit.context;
-    std::optional<TextureContext> bumped;
+    Uncleared<TextureContext> bumped;
     if (layer.normal) {
-      bumped = hit.context;
-      normal = layer_normal(layer, frames, point, *bumped);
-      context = &*bumped;
+      context = &bumped.emplace(hit.context);
+      normal = layer_normal(layer, frames, point, bumped.value);
     }
     hit.last_normal = context->normal;
     if (!first_layer) {
@@ -200,8 +187,8 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
         }
         mirror = reflectivity(finish, -dot(ray.direction, normal), relative_ior, pigment.rgb());
         if (!mirror.color.is_black() && reflected_count < kMostReflections) {
-          new (&reflected[reflected_count++])
-              ReflectedLayer{&layer, normal, mirror.color, ray.weight * trans * mirror.weight};
+          reflected[reflected_count++].emplace(
+              ReflectedLayer{&layer, normal, mirror.color, ray.weight * trans * mirror.weight});
         }
       }
       const float opacity =
@@ -234,7 +221,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
   // Light that the layers mirror.
   if (quality < 8 || !recursive_) return;
   for (int i = 0; i < reflected_count; ++i) {
-    const ReflectedLayer& mirror = reflected[i];
+    const ReflectedLayer& mirror = reflected[i].value;
     const Vec3 difference = glm::abs(mirror.normal - top_normal);
     if (total_reflection && difference.x <= kEpsilon && difference.y <= kEpsilon &&
         difference.z <= kEpsilon) {
@@ -432,14 +419,11 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   }
 
   const bool remembers = hit.lights && place < ShadowedLights::kMost;
-  if (remembers && hit.lights->is_known[place]) {
-    arriving.color = hit.lights->color[place];
+  if (remembers && hit.lights->knows(place)) {
+    arriving.color = hit.lights->color(place);
   } else {
     direct_light_.apply_shadow(index, point, ray, arriving, counts);
-    if (remembers) {
-      hit.lights->is_known[place] = true;
-      hit.lights->color[place] = arriving.color;
-    }
+    if (remembers) hit.lights->remember(place, arriving.color);
   }
   if (observer_) [[unlikely]] observer_->light_tested(ray, index, point, arriving.color);
   if (is_dark(arriving.color)) return RGB(0.0f);
@@ -490,7 +474,7 @@ RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, cons
   }
   TracedRay next = ray;
   next.origin = hit.surface.point;
-  next.direction = normalize_or_zero(direction);
+  next.direction = unit_or_zero(direction);
   next.max_depth = kFarAway;
   next.kind.primary = false;
   next.kind.reflected = true;

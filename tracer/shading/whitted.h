@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tracer/math/uncleared.h"
 #include "tracer/shading/direct_light.h"
 #include "tracer/shading/indirect_light.h"
 #include "tracer/shading/integrator.h"
@@ -30,21 +31,39 @@ class WhittedIntegrator : public Integrator {
 
  private:
   // The light that reaches a hit, once known; for surfaces with several layers or textures.
-  struct ShadowedLights {
+  class ShadowedLights {
+   public:
     static constexpr int kMost = 8;
-    RGB color[kMost];
-    bool is_known[kMost] = {};
+    bool knows(int place) const { return is_known_ >> place & 1; }
+    const RGB& color(int place) const { return color_[place].value; }
+    void remember(int place, const RGB& color) {
+      is_known_ |= 1u << place;
+      color_[place].emplace(color);
+    }
+
+   private:
+    Uncleared<RGB> color_[kMost];
+    uint32_t is_known_ = 0;
   };
   // What all textures of one hit share.
   struct SurfaceHit {
+    SurfaceHit(const TracedRay& ray, const SurfacePoint& point, const WorldInterior& inside,
+               double length, const Vec3& facing_normal)
+        : surface(point),
+          interior(inside),
+          context{facing_normal, ray.direction, point.point, point.uv, true},
+          depth(length),
+          inside_interior(ray.interiors.find(point.object->interior) >= 0),
+          last_normal(facing_normal) {}
+
     const SurfacePoint& surface;
     const WorldInterior& interior;
-    TextureContext context;  // normal: facing the ray
-    double depth;            // length of the segment that ends here
-    bool inside_interior;    // the ray is in this object's interior
-    ShadowedLights* lights;  // null: asked for once only
+    TextureContext context;            // normal: facing the ray
+    double depth;                      // length of the segment that ends here
+    bool inside_interior;              // the ray is in this object's interior
+    ShadowedLights* lights = nullptr;  // null: asked for once only
     // Of the layer shaded last: `slope` sees it where the next texture of a map is chosen.
-    mutable Vec3 last_normal{0};
+    mutable Vec3 last_normal;
     // Indirect light is asked once for all layers.
     mutable bool ambient_asked = false, has_ambient = false;
     mutable RGB ambient{0.0f};

@@ -28,22 +28,22 @@ class Cone final : public Shape {
   Bounds bounds() const override { return {{-1, -1, least_z_}, {1, 1, 1}}; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    double stretch;
+    double scale;
     double depth[4];
     Part part[4];
-    const int count = find(ray, stretch, depth, part);
-    for (int i = 0; i < count; ++i) out.push(depth[i] / stretch, part[i]);
+    const int count = find(ray, scale, depth, part);
+    for (int i = 0; i < count; ++i) out.push(depth[i] * scale, part[i]);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
-    double stretch;
+    double scale;
     double depth[4];
     Part part[4];
-    const int count = find(ray, stretch, depth, part);
+    const int count = find(ray, scale, depth, part);
     double best = ray.t_max;
     bool found = false;
     for (int i = count; i-- > 0;) {
-      const double t = depth[i] / stretch;
+      const double t = depth[i] * scale;
       if (t < best && t >= kLeastHitDepth) {
         best = t;
         hit.t = t;
@@ -72,11 +72,11 @@ class Cone final : public Shape {
   }
 
  private:
-  // Depths in normalised local space, `stretch` times those in the world, in the order of the
+  // Depths in normalised local space, `scale` takes them into the world, in the order of the
   // specification; returns their count.
-  int find(const ShapeRay& ray, double& stretch, double* depth, Part* part) const {
-    stretch = length(ray.direction);
-    const Vec3 d = ray.direction * (1 / stretch);
+  int find(const ShapeRay& ray, double& scale, double* depth, Part* part) const {
+    scale = 1 / length(ray.direction);
+    const Vec3 d = ray.direction * scale;
     const Vec3& o = ray.origin;
     int count = 0;
     const auto add = [&](double t, Part which) {
@@ -94,11 +94,12 @@ class Cone final : public Shape {
         const double b = o.x * d.x + o.y * d.y;
         const double c = o.x * o.x + o.y * o.y - 1;
         const double discriminant = b * b - a * c;
-        if (discriminant >= 0) {
-          const double root = std::sqrt(discriminant);
-          add_side((-b + root) / a);
-          add_side((-b - root) / a);
-        }
+        // A line that passes by the side passes by the discs, too.
+        if (discriminant < 0) return 0;
+        const double root = std::sqrt(discriminant);
+        const double inverse = 1 / a;
+        add_side((-b + root) * inverse);
+        add_side((-b - root) * inverse);
       }
     } else {
       const double a = d.x * d.x + d.y * d.y - d.z * d.z;
@@ -110,14 +111,18 @@ class Cone final : public Shape {
         const double discriminant = b * b - a * c;
         if (discriminant >= 0) {
           const double root = std::sqrt(discriminant);
-          add_side((-b - root) / a);
-          add_side((-b + root) / a);
+          const double inverse = 1 / a;
+          add_side((-b - root) * inverse);
+          add_side((-b + root) * inverse);
+        } else if (a > 0) {
+          return 0;
         }
       }
     }
     if (closed_ && std::abs(d.z) > kGeometryEpsilon) {
+      const double inverse = 1 / d.z;
       const auto add_disc = [&](double z, double radius2, Part which) {
-        const double t = (z - o.z) / d.z;
+        const double t = (z - o.z) * inverse;
         const double x = o.x + t * d.x, y = o.y + t * d.y;
         if (x * x + y * y <= radius2 && t > 1e-9 && t < kGreatestDepth) add(t, which);
       };

@@ -30,16 +30,13 @@ class Sphere final : public Shape {
     double near, far;
     const double scale = depths(ray, near, far);
     if (scale == 0) return false;
-    for (const double depth : {near, far}) {
-      const double t = depth * scale;
-      if (depth > 1e-6 && depth < kGreatestDepth && t >= kLeastHitDepth) {
-        if (t >= ray.t_max) return false;
-        hit.t = t;
-        hit.part = 0;
-        return true;
-      }
-    }
-    return false;
+    // Which of the two counts processors cannot guess: no branch.
+    const bool enters = (near > 1e-6) & (near * scale >= kLeastHitDepth);
+    const double depth = enters ? near : far;
+    const double t = depth * scale;
+    hit.t = t;
+    hit.part = 0;
+    return (depth > 1e-6) & (depth < kGreatestDepth) & (t >= kLeastHitDepth) & (t < ray.t_max);
   }
 
   bool inside(const Vec3& p) const override {
@@ -50,7 +47,7 @@ class Sphere final : public Shape {
     const Vec3 d = p - center_;
     return dot(d, d) > radius_ * radius_;
   }
-  Vec3 normal(const Vec3& p, const ShapeHit&) const override { return (p - center_) / radius_; }
+  Vec3 normal(const Vec3& p, const ShapeHit&) const override { return radius_ < 0 ? center_ - p : p - center_; }
 
   Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit&) const override {
     Vec3 d = p - center_;
@@ -99,9 +96,9 @@ class Sphere final : public Shape {
     const double squared = dot(to_center, to_center);
     const double along = dot(to_center, direction);
     const double radius2 = radius_ * radius_;
-    if (squared >= radius2 && along < kGeometryEpsilon) return 0;
     const double half_chord2 = radius2 - squared + along * along;
-    if (!(half_chord2 > kGeometryEpsilon)) return 0;
+    const bool is_behind = (squared >= radius2) & (along < kGeometryEpsilon);
+    if (is_behind | !(half_chord2 > kGeometryEpsilon)) return 0;
     const double half_chord = std::sqrt(half_chord2);
     near = along - half_chord;
     far = along + half_chord;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tracer/intersect/bvh_walk.h"
 #include "tracer/scene/not_supported.h"
 #include "tracer/world/world_builder.h"
 
@@ -40,30 +41,37 @@ GeometryRay local_ray(const Instance& instance, const GeometryRay& ray) {
 
 // The nearest hit among the objects of one list.
 struct ClosestSearch {
+  ClosestSearch(const WorldData& world, const ObjectSet& objects, const SearchList& wanted,
+                const GeometryRay& along, HitStack& scratch, double t_max)
+      : data(world),
+        set(objects),
+        list(wanted),
+        ray(along),
+        stack(scratch),
+        best(t_max),
+        limit(t_max),
+        straight(shape_ray(along, nullptr)) {}
+
   const WorldData& data;
   const ObjectSet& set;
   const SearchList& list;
   const GeometryRay& ray;
   HitStack& stack;
   double best;
-  double limit = best;  // hits must be nearer than this
-  ShapeHit hit{};
+  double limit;  // hits must be nearer than this
+  ShapeHit hit;  // where top is not negative
   int64_t top = -1;
   uint32_t instance = 0;
-  ShapeRay straight = shape_ray(ray, nullptr);  // for shapes without a transform
+  ShapeRay straight;  // for shapes without a transform
 
   void run() {
     for (const SearchItem& item : list.infinite) test(item);
-    list.bvh.visit_ray(
-        ray, best,
-        [](void* context, uint32_t first, uint32_t count, double& t_max) {
-          auto& search = *static_cast<ClosestSearch*>(context);
-          const SearchItem* item = search.list.finite.data() + first;
-          for (const SearchItem* end = item + count; item < end; ++item) search.test(*item);
-          t_max = search.best;
-          return false;
-        },
-        this);
+    list.bvh.visit_ray(ray, best, [this](uint32_t first, uint32_t count, double& t_max) {
+      const SearchItem* item = list.finite.data() + first;
+      for (const SearchItem* end = item + count; item < end; ++item) test(*item);
+      t_max = best;
+      return false;
+    });
   }
 
   void test(const SearchItem& item) {
@@ -110,7 +118,7 @@ struct ClosestSearch {
       const SearchList& inner_list =
           &list == set.clear.get() ? inner_set.clear_casters() : inner_set.all;
       const GeometryRay inner_ray = local_ray(instanced, ray);
-      ClosestSearch inner{data, inner_set, inner_list, inner_ray, stack, limit};
+      ClosestSearch inner(data, inner_set, inner_list, inner_ray, stack, limit);
       inner.run();
       if (inner.top < 0) return false;
       candidate = inner.hit;
@@ -151,19 +159,14 @@ struct OcclusionSearch {
     for (const SearchItem& item : list.infinite) {
       if (blocks(item)) return blocked = true;
     }
-    list.bvh.visit_ray(
-        ray, max_t,
-        [](void* context, uint32_t first, uint32_t count, double&) {
-          auto& search = *static_cast<OcclusionSearch*>(context);
-          const SearchItem* items = search.set.opaque_casters().finite.data();
-          for (uint32_t i = first; i < first + count; ++i) {
-            if (!search.blocks(items[i])) continue;
-            search.blocker = i;
-            return search.blocked = true;
-          }
-          return false;
-        },
-        this);
+    list.bvh.visit_ray(ray, max_t, [this, &list](uint32_t first, uint32_t count, double&) {
+      for (uint32_t i = first; i < first + count; ++i) {
+        if (!blocks(list.finite[i])) continue;
+        blocker = i;
+        return blocked = true;
+      }
+      return false;
+    });
     return blocked;
   }
 
@@ -269,18 +272,19 @@ bool World::closest_hit(const Vec3& origin, const Vec3& unit_direction, const Ra
   const WorldData& data = impl_->data;
   const GeometryRay ray(origin, unit_direction, kind_bits(kind));
   const ObjectSet& set = data.scene;
-  ClosestSearch search{data, set, set.all, ray, scratch(), max_t};
+  ClosestSearch search(data, set, set.all, ray, scratch(), max_t);
   search.run();
   return found(search, hit);
 }
+
+bool World::has_clear_casters() const { return !impl_->data.scene.clear_casters().is_empty(); }
 
 bool World::closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
                               Hit& hit) const {
   const WorldData& data = impl_->data;
   const ObjectSet& set = data.scene;
-  if (set.clear_casters().is_empty()) return false;
   const GeometryRay ray(origin, unit_direction, kShadowRay);
-  ClosestSearch search{data, set, set.clear_casters(), ray, scratch(), max_t};
+  ClosestSearch search(data, set, set.clear_casters(), ray, scratch(), max_t);
   search.run();
   return found(search, hit);
 }
@@ -309,7 +313,7 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
     out.normal = node.shape->normal(local, shape_hit);
   }
   if (instance) out.normal = instance->transform.normal(out.normal);
-  out.normal = normalize_or_zero(out.normal);
+  out.normal = unit_or_zero(out.normal);
   if (node.inverted) out.normal = -out.normal;
   out.uv = appearance.needs_uv ? node.shape->uv(local, out.point, shape_hit) : Vec2(0);
 
@@ -500,30 +504,20 @@ int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t mov
   };
   // Few objects have the point in their boxes; they are asked in the order of the scene.
   constexpr size_t kMost = 256;
-  struct Context {
-    const std::vector<SearchItem>& items;
-    uint32_t objects[kMost];
-    size_t count = 0;
-  } near{set.all.finite, {}, 0};
-  for (const SearchItem& item : set.all.infinite) {
-    if (near.count < kMost) near.objects[near.count] = item.object;
-    ++near.count;
-  }
-  set.all.bvh.visit_point(
-      point,
-      [](void* data_of_walk, uint32_t position) {
-        auto& found = *static_cast<Context*>(data_of_walk);
-        if (found.count < kMost) found.objects[found.count] = found.items[position].object;
-        ++found.count;
-        return found.count > kMost;
-      },
-      &near);
-  if (near.count > kMost) {
+  uint32_t near[kMost];
+  size_t near_count = 0;
+  const auto add = [&](const SearchItem& item) {
+    if (near_count < kMost) near[near_count] = item.object;
+    return ++near_count > kMost;
+  };
+  for (const SearchItem& item : set.all.infinite) add(item);
+  set.all.bvh.visit_point(point, [&](uint32_t position) { return add(set.all.finite[position]); });
+  if (near_count > kMost) {
     for (const TopLevelObject& top : set.objects) ask(top);
     return count;
   }
-  std::sort(near.objects, near.objects + near.count);
-  for (size_t i = 0; i < near.count; ++i) ask(set.objects[near.objects[i]]);
+  std::sort(near, near + near_count);
+  for (size_t i = 0; i < near_count; ++i) ask(set.objects[near[i]]);
   return count;
 }
 

@@ -141,6 +141,8 @@ class World {
   // `light`: a hint, rays towards one light are often stopped by one object.
   bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
                           int light) const;
+  // Whether any object that casts shadows is left out above.
+  bool has_clear_casters() const;
   // The nearest hit, 1e-4 <= t < max_t, of a shadow ray with the objects that are left out above.
   bool closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
                          Hit& hit) const;

@@ -1,7 +1,0 @@
-#include "tracer/intersect/bvh_kernel.h"
-
-namespace durer::v3_kernel {
-
-#include "tracer/intersect/bvh_kernel.inc"
-
-}  // namespace durer::v3_kernel

@@ -1,0 +1,76 @@
+// The walks through a Bvh, with the visitors built in: for any x86-64 and for x86-64-v3, chosen at run
+// time; both give the same bits. (Functions of a target attribute, not a source compiled for v3: what
+// is inline in other headers must not be compiled for the newer processors, the linker could keep
+// that copy for all.)
+#pragma once
+
+#include "tracer/intersect/bvh.h"
+
+namespace durer {
+
+// A ray as the walk sees it, in single precision.
+struct BvhWalk {
+  float origin[3];   // relative to the centre of the hierarchy
+  float inverse[3];  // of the direction; infinite where that is 0
+  double t_offset;   // what the true origin lies before `origin`
+};
+
+// A child that waits for its turn, and where the ray enters it.
+struct BvhWaiting {
+  uint32_t child;
+  float near;
+};
+inline constexpr int kBvhStack = 8 * 64;
+
+extern const bool kHasX86v3;
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+namespace base_walk {
+#define DURER_WALK_TARGET
+#define DURER_WALK_HAS_AVX 0
+#include "tracer/intersect/bvh_walk.inc"
+#undef DURER_WALK_TARGET
+#undef DURER_WALK_HAS_AVX
+}  // namespace base_walk
+namespace v3_walk {
+#define DURER_WALK_TARGET __attribute__((target("arch=x86-64-v3")))
+#define DURER_WALK_HAS_AVX 1
+#include "tracer/intersect/bvh_walk.inc"
+#undef DURER_WALK_TARGET
+#undef DURER_WALK_HAS_AVX
+}  // namespace v3_walk
+#pragma GCC diagnostic pop
+
+template <typename Visitor>
+void Bvh::visit_ray(const BvhRay& ray, double t_max, Visitor&& visit) const {
+  if (nodes_.empty()) return;
+  // Clip to the whole in double, and start there: far origins would lose their digits.
+  double enter = 0, leave = t_max;
+  if (!reach_.contains(ray.origin)) {
+    ray.clip(reach_, enter, leave);
+    if (!(enter <= leave * (1 + 1e-12))) return;
+  }
+  BvhWalk walk;
+  walk.t_offset = enter;
+  for (int axis = 0; axis < 3; ++axis) {
+    walk.origin[axis] =
+        static_cast<float>(ray.origin[axis] + enter * ray.direction[axis] - center_[axis]);
+    walk.inverse[axis] = static_cast<float>(ray.inverse[axis]);
+  }
+  kHasX86v3 ? v3_walk::walk_ray(nodes_.data(), walk, t_max, visit)
+            : base_walk::walk_ray(nodes_.data(), walk, t_max, visit);
+}
+
+template <typename Visitor>
+void Bvh::visit_point(const Vec3& point, Visitor&& visit) const {
+  if (nodes_.empty()) return;
+  float local[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    local[axis] = static_cast<float>(point[axis] - center_[axis]);
+  }
+  kHasX86v3 ? v3_walk::walk_point(nodes_.data(), local, visit)
+            : base_walk::walk_point(nodes_.data(), local, visit);
+}
+
+}  // namespace durer
