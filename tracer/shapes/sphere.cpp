@@ -47,7 +47,9 @@ class Sphere final : public Shape {
     const Vec3 d = p - center_;
     return dot(d, d) > radius_ * radius_;
   }
-  Vec3 normal(const Vec3& p, const ShapeHit&) const override { return radius_ < 0 ? center_ - p : p - center_; }
+  Vec3 normal(const Vec3& p, const ShapeHit&) const override {
+    return radius_ < 0 ? center_ - p : p - center_;
+  }
 
   Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit&) const override {
     Vec3 d = p - center_;
