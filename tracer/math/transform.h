@@ -12,10 +12,12 @@ namespace durer {
 struct Matrix {
   Vec3 row[4]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 
-  Vec3 point(const Vec3& p) const {
+  [[gnu::always_inline]] Vec3 point(const Vec3& p) const {
     return p.x * row[0] + p.y * row[1] + p.z * row[2] + row[3];
   }
-  Vec3 direction(const Vec3& d) const { return d.x * row[0] + d.y * row[1] + d.z * row[2]; }
+  [[gnu::always_inline]] Vec3 direction(const Vec3& d) const {
+    return d.x * row[0] + d.y * row[1] + d.z * row[2];
+  }
   // v times the transposed linear part: a normal by the inverse's matrix.
   Vec3 transposed_direction(const Vec3& v) const {
     return {dot(v, row[0]), dot(v, row[1]), dot(v, row[2])};
@@ -51,8 +53,10 @@ struct Transform {
   Vec3 point(const Vec3& p) const { return forward.point(p); }
   Vec3 direction(const Vec3& d) const { return forward.direction(d); }
   Vec3 normal(const Vec3& n) const { return inverse.transposed_direction(n); }
-  Vec3 inverse_point(const Vec3& p) const { return inverse.point(p); }
-  Vec3 inverse_direction(const Vec3& d) const { return inverse.direction(d); }
+  [[gnu::always_inline]] Vec3 inverse_point(const Vec3& p) const { return inverse.point(p); }
+  [[gnu::always_inline]] Vec3 inverse_direction(const Vec3& d) const {
+    return inverse.direction(d);
+  }
   Vec3 inverse_normal(const Vec3& n) const { return forward.transposed_direction(n); }
   // The ray as seen from local space; the parameter is kept (the direction is not renormalised).
   Ray inverse_ray(const Ray& ray) const {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "tracer/math/uncleared.h"
+
 namespace durer {
 namespace {
 
@@ -226,16 +228,13 @@ RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray,
   // Grids up to this size are cached on the stack, larger ones are traced again when asked again:
   // the jitter is a function of the grid point, so the answers agree.
   constexpr int kMostCached = 1024;
-  std::array<RGB, kMostCached> cache;
-  std::array<uint64_t, kMostCached / 64> known;  // a bit for each grid point
+  std::array<Uncleared<RGB>, kMostCached> cache;
+  std::array<uint64_t, kMostCached / 64> known{};  // a bit for each grid point
   const bool cached = columns * rows <= kMostCached;
-  if (cached) {
-    for (int word = 0; word <= (columns * rows - 1) / 64; ++word) known[word] = 0;
-  }
 
   auto sample = [&](int i, int j) {
     const int cell = j * columns + i;
-    if (cached && known[cell / 64] >> cell % 64 & 1) return cache[cell];
+    if (cached && known[cell / 64] >> cell % 64 & 1) return cache[cell].value;
     const uint32_t counter = static_cast<uint32_t>(cell) * 2;
     const uint32_t purpose = kPurposeAreaLight + 16 * static_cast<uint32_t>(index);
     const Vec3 center = node.jitter ? grid.sample(i, j, path_random(ray.path, purpose, counter),
@@ -245,7 +244,7 @@ RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray,
     trace_shadow(index, point, light.direction_from(point, center), ray, arriving, counts);
     if (cached) {
       known[cell / 64] |= uint64_t{1} << cell % 64;
-      cache[cell] = arriving;
+      cache[cell].emplace(arriving);
     }
     return arriving;
   };
