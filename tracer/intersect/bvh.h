@@ -30,7 +30,7 @@ struct BvhRay {
   }
 
   // Narrows the interval [low, high] to the ray's way through a box, perhaps to an empty one.
-  void clip(const Bounds& box, double& low, double& high) const {
+  [[gnu::always_inline]] void clip(const Bounds& box, double& low, double& high) const {
     const double* plane = &box.min.x;
     for (uint32_t axis = 0; axis < 3; ++axis) {
       // NaN (0·∞ in a face's plane) loses every comparison. Which face is nearer is looked up by

@@ -65,7 +65,8 @@ struct GeometryRay : BvhRay {
 };
 
 // A ray as a shape sees it; `transform` may be null.
-inline ShapeRay shape_ray(const GeometryRay& ray, const Transform* transform) {
+[[gnu::always_inline]] inline ShapeRay shape_ray(const GeometryRay& ray,
+                                                  const Transform* transform) {
   ShapeRay local;
   if (transform) {
     local.origin = transform->inverse_point(ray.origin);

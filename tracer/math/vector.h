@@ -24,7 +24,8 @@ inline Vec3 normalize_or_zero(const Vec3& v) {
 // The same by one division, so a last digit apart: for rays and shading.
 inline Vec3 unit_or_zero(const Vec3& v) {
   const double squared = dot(v, v);
-  return squared > 0 ? v * (1 / __builtin_sqrt(squared)) : v;
+  // Normals of planes and boxes are of length 1 already.
+  return squared > 0 && squared != 1 ? v * (1 / __builtin_sqrt(squared)) : v;
 }
 
 }  // namespace durer

@@ -66,6 +66,10 @@ struct ClosestSearch {
 
   void run() {
     for (const SearchItem& item : list.infinite) test(item);
+    if (list.is_scanned) {
+      for (const SearchItem& item : list.finite) test(item);
+      return;
+    }
     list.bvh.visit_ray(ray, best, [this](uint32_t first, uint32_t count, double& t_max) {
       const SearchItem* item = list.finite.data() + first;
       for (const SearchItem* end = item + count; item < end; ++item) test(*item);
@@ -158,6 +162,14 @@ struct OcclusionSearch {
     straight.t_max = max_t;
     for (const SearchItem& item : list.infinite) {
       if (blocks(item)) return blocked = true;
+    }
+    if (list.is_scanned) {
+      for (const SearchItem& item : list.finite) {
+        if (!blocks(item)) continue;
+        blocker = static_cast<uint32_t>(&item - list.finite.data());
+        return blocked = true;
+      }
+      return false;
     }
     list.bvh.visit_ray(ray, max_t, [this, &list](uint32_t first, uint32_t count, double&) {
       for (uint32_t i = first; i < first + count; ++i) {

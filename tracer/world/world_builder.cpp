@@ -521,6 +521,9 @@ Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevel
   return top.box.is_infinite() ? Bounds::everything() : top.box.to_bounds();
 }
 
+// Up to so many spheres and boxes are asked faster than a hierarchy over them.
+constexpr size_t kMostScanned = 3;
+
 void fill_search_list(const Geometry& geometry, const ObjectSet& set,
                       const std::function<bool(uint32_t)>& wanted,
                       const std::vector<LooseMember>& members, SearchList& list) {
@@ -565,6 +568,11 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
   list.bvh.build(bounded.size(), [&](uint32_t i) { return box_of(bounded[i]); });
   list.finite.reserve(bounded.size());
   for (const uint32_t i : list.bvh.items()) list.finite.push_back(item_of(bounded[i]));
+  const auto is_quick = [](const SearchItem& item) {
+    return item.shape && item.transform < 0 && item.shape->is_quickly_missed();
+  };
+  list.is_scanned = list.finite.size() <= kMostScanned &&
+                    std::all_of(list.finite.begin(), list.finite.end(), is_quick);
 }
 
 }  // namespace durer

@@ -39,6 +39,7 @@ struct SearchList {
   std::vector<SearchItem> infinite;  // by declaration
   std::vector<SearchItem> finite;    // in the order of the hierarchy's leaves
   Bvh bvh;
+  bool is_scanned = false;  // few and simple: asked one after the other, without the hierarchy
 
   bool is_empty() const { return infinite.empty() && finite.empty(); }
 };
