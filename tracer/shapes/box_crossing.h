@@ -22,7 +22,8 @@ inline bool is_met_more_squarely(int axis, int side, const Vec3& steepness) {
   return side != kNoSide && steepness.z > steepness[side / 2];
 }
 
-[[gnu::always_inline]] inline bool cross_box(const Vec3& low, const Vec3& high, const ShapeRay& ray, BoxCrossing& crossing) {
+[[gnu::always_inline]] inline bool cross_box(const Vec3& low, const Vec3& high,
+                                             const ShapeRay& ray, BoxCrossing& crossing) {
   auto& [near, far, entry, exit] = crossing;
   near = 0;
   far = kHugeDepth;
