@@ -17,5 +17,3 @@ box { -0.7, 0.7 clipped_by { difference { sphere { 0, 0.95 } cylinder { -2*x, 2*
 sphere { 0, 0.9 clipped_by { sphere { <0.3, 0.3, -0.7>, 0.6 inverse } } texture { R } interior_texture { Squares } translate <0.9, -1.3, 0> }
 intersection { quadric { <1, 1, -1>, <0, 0, 0>, <0, 0, 0>, -0.3 } plane { z, 0.8 } plane { -z, 0.8 } texture { R }
   scale 0.6 rotate <20, 50, 0> translate <2.7, -1.3, 0> }
-
-union { box { <-0.3, -0.2, -0.3>, <0.3, 0.2, 0.3> } plane { y, -2.4 bounded_by { box { -1, 0.6 } } } rotate 2*z texture { Squares } translate 0.1*x }
