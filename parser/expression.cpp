@@ -274,11 +274,11 @@ void Parser::State::parse_express(Terms& out, int width) {
   const double condition = out.v[0];
   consume();
   const NestingScope deeper(*this);
-  Terms no;
-  parse_express(out, width);
+  Terms yes, no;
+  parse_express(yes, width);
   expect(Symbol::colon);
   parse_express(no, width);
-  if (!is_true(condition)) out = no;
+  out = is_true(condition) ? yes : no;
 }
 
 double Parser::State::parse_float() {

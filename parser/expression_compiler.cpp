@@ -509,7 +509,7 @@ class ExpressionCompiler {
     if (++nesting_ > kCompiledNesting) return false;
     Operand no;
     if (!express(out, width) || !accept(Symbol::colon) || !express(no, width)) return false;
-    if (out.count != no.count) return false;
+    if (out.count != no.count || out.kept != out.count || no.kept != no.count) return false;
     for_each_term(out, no, [&](uint16_t a, uint16_t b) {
       Step& step = emit(Operation::choose, a, b);
       step.name = condition;

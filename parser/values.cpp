@@ -388,12 +388,13 @@ std::shared_ptr<const Spline> Parser::State::parse_spline() {
     accept_comma();
   }
   if (spline->empty() && !starts_expression()) error("a spline needs at least one point");
+  Terms value;  // what a shorter point does not say is left from the point before
   while (starts_expression()) {
     const double parameter = parse_float();
     accept_comma();
-    Terms value;
-    parse_express(value, 2);
-    spline->add(parameter, value.v, value.count);
+    parse_express(value, 1);
+    if (value.count == 1) value.v[1] = value.v[0];
+    spline->add(parameter, std::to_array(value.v), value.count);
     accept_comma();
   }
   if (!accept(Symbol::brace_close)) error_expected("'}' after the spline's points");

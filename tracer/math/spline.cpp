@@ -4,21 +4,18 @@
 
 namespace durer {
 
-void Spline::add(double parameter, const double* value, int terms) {
-  // Missing components stay those of the earlier point; a single number fills two.
-  for (int c = 0; c < terms; ++c) last_value_[static_cast<size_t>(c)] = value[c];
-  if (terms == 1) last_value_[1] = value[0];
+void Spline::add(double parameter, const std::array<double, 5>& value, int terms) {
   terms_ = std::max(terms_, terms);
 
   const auto place = std::lower_bound(
       knots_.begin(), knots_.end(), parameter,
       [](const SplineKnot& knot, double t) { return knot.parameter < t; });
   if (place == knots_.end() || place->parameter != parameter) {
-    knots_.insert(place, {parameter, last_value_});
+    knots_.insert(place, {parameter, value});
   } else {
     // The largest of several is not replaced (spec/language.md 21).
     const bool largest = place + 1 == knots_.end();
-    if (!largest || knots_.size() == 1) place->value = last_value_;
+    if (!largest || knots_.size() == 1) place->value = value;
   }
   solve_natural();
 }
@@ -52,7 +49,8 @@ void Spline::solve_natural() {
 }
 
 void Spline::evaluate(double t, SplineInterpolation as, double* result) const {
-  const size_t n = knots_.size(), width = static_cast<size_t>(terms_);
+  constexpr size_t width = 5;
+  const size_t n = knots_.size();
   const auto copy = [&](const SplineKnot& knot) {
     std::copy_n(knot.value.begin(), width, result);
   };

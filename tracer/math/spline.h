@@ -18,17 +18,17 @@ class Spline {
  public:
   SplineInterpolation kind = SplineInterpolation::linear;
 
-  // Adds a knot of 1..5 numbers in the order of the text, with the language's rules: knots are kept
-  // sorted, a repeated parameter replaces the earlier value unless it is the largest of several, a
-  // single number fills two components, and missing components are those of the earlier point.
-  void add(double parameter, const double* value, int terms);
+  // Adds a knot that was written with 1..5 numbers, with the language's rules: knots are kept sorted,
+  // a repeated parameter replaces the earlier value unless it is the largest of several. Numbers
+  // behind `terms` count if another knot is longer.
+  void add(double parameter, const std::array<double, 5>& value, int terms);
 
   bool empty() const { return knots_.empty(); }
   // Numbers in a value: 2..5.
   int terms() const { return terms_; }
   const std::vector<SplineKnot>& knots() const { return knots_; }
 
-  // Writes terms() numbers. At least one knot.
+  // Writes five numbers, also those behind terms(). At least one knot.
   void evaluate(double t, double* result) const { evaluate(t, kind, result); }
   void evaluate(double t, SplineInterpolation as, double* result) const;
 
@@ -38,7 +38,6 @@ class Spline {
 
   std::vector<SplineKnot> knots_;  // by parameter
   std::vector<std::array<double, 5>> second_derivatives_;
-  std::array<double, 5> last_value_{};  // of the text: fills missing components
   int terms_ = 2;
 };
 
