@@ -74,10 +74,9 @@ class CameraReader {
   void parse_mesh() {
     parser_.note_experimental("mesh camera");
     parser_.expect_open("mesh_camera");
+    // No commas in here.
     camera_.rays_per_pixel = parser_.parse_int();
-    parser_.accept_comma();
     camera_.distribution = parser_.parse_int();
-    parser_.accept_comma();
     if (camera_.rays_per_pixel < 1) parser_.error("a mesh_camera needs at least one ray");
     if (camera_.distribution < 0 || camera_.distribution > 3) {
       parser_.error("the distribution of a mesh_camera is 0, 1, 2 or 3");
@@ -86,11 +85,9 @@ class CameraReader {
       parser_.error("distributions 2 and 3 of a mesh_camera take one ray for each pixel");
     }
     camera_.max_distance = parser_.parse_optional_float(0);
-    parser_.accept_comma();
     while (parser_.at(Keyword::mesh)) {
       ObjectPtr mesh = parse_object(parser_);
       camera_.mesh_objects.push_back(std::move(mesh));
-      parser_.accept_comma();
     }
     if (parser_.accept(Keyword::smooth)) {
       if (camera_.distribution != 3) {

@@ -131,12 +131,10 @@ std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKi
   if (parser.at(Symbol::less)) {
     parser.warning("the plane of an image has no effect any more");
     parser.parse_vector();
-    parser.accept_comma();
   }
   const auto source = parse_image_file(parser);
   const bool pigment = kind == PatternKind::image_map;
   for (;;) {
-    parser.accept_comma();
     if (parser.accept(Keyword::map_type)) {
       source->map_type = parse_map_type(parser, pigment);
     } else if (parser.accept(Keyword::interpolate)) {

@@ -60,12 +60,10 @@ void parse_color_entry(Parser& parser, ColorMap& map) {
   } else if (value.terms() == 1) {
     // The old form with two places and two colours.
     parser.accept_comma();
-    const auto color = [&] {
-      if (!parser.at(Keyword::color)) parser.error_expected("'color'");
-      return parser.parse_color();
-    };
-    add_color(map, first, color());
-    add_color(map, static_cast<float>(value.number()), color());
+    add_color(map, first, parser.parse_color());
+    // This word and, if there is one more, the colour's own.
+    if (!parser.accept(Keyword::color)) parser.error_expected("'color'");
+    add_color(map, static_cast<float>(value.number()), parser.parse_color());
   } else {
     parser.error("a colour_map entry takes a colour here");
   }

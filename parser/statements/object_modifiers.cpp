@@ -299,6 +299,8 @@ void ObjectBuilder::link_clips(bool bounds) {
     parser_.error(bounds ? "the object has bounds already: clipped_by cannot serve as them, too"
                          : "the object has clips already: bounded_by cannot serve as them, too");
   }
+  // An empty list is not shared.
+  if (bounds ? !state.has_clips : !state.has_bounds) return;
   if (bounds) {
     add(ShareClipsAsBounds{});
   } else {

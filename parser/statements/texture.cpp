@@ -137,8 +137,10 @@ class TextureReader {
     node->pattern.edit().position = parser_.position();
     if (parser_.accept(Keyword::tiles)) {
       read_tiles(*node);
+      return read_moves(std::move(node));
     } else if (parser_.accept(Keyword::material_map)) {
       read_material_map(*node);
+      return read_moves(std::move(node));
     } else if (parser_.accept(Keyword::uv_mapping)) {
       while (parser_.accept(Keyword::uv_mapping)) {
         // Once more changes nothing.
@@ -173,6 +175,13 @@ class TextureReader {
       parser_.error("a patterned texture needs a texture_map");
     }
     texture_ = std::move(node);
+  }
+
+  // Tiles and material maps are moved, but not turbulent.
+  void read_moves(TexturePtr texture) {
+    texture_ = std::move(texture);
+    while (accept_transform()) {
+    }
   }
 
   void read_list(TextureNode& node, int count) {

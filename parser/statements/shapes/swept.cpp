@@ -71,18 +71,20 @@ void close_linear(Parser& parser, std::vector<Vec2>& points) {
 
 // Quadratic and cubic curves: closed when the second point comes again; `step` points on, the next
 // curve has its second point.
-void check_curve(Parser& parser, const std::vector<Vec2>& points, size_t step) {
+void check_curve(Parser& parser, const std::vector<Vec2>& points, bool cubic) {
   size_t reference = 1;
   bool closed = false;
   for (size_t i = 2; i < points.size(); ++i) {
     closed = same_point(points[i], points[reference]);
     if (!closed) continue;
-    reference = i + step;
+    // A cubic curve needs one more point behind the one that closes it.
+    if (cubic && i + 1 == points.size()) closed = false;
+    reference = i + (cubic ? 3 : 2);
     if (reference >= points.size()) break;
     i = reference;
     closed = false;
   }
-  if (!closed) parser.warning(kNotClosed);
+  if (!closed) parser.error("too few points: the curve of this prism is not closed");
 }
 
 // Each segment starts where the one before ends, or a closed curve ends there.
@@ -175,7 +177,7 @@ ShapeNode parse_prism(Parser& parser) {
   } else if (node.spline == SplineKind::bezier) {
     check_bezier(parser, node.points);
   } else {
-    check_curve(parser, node.points, node.spline == SplineKind::cubic ? 3 : 2);
+    check_curve(parser, node.points, node.spline == SplineKind::cubic);
   }
   return node;
 }
