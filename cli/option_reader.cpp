@@ -43,6 +43,12 @@ bool read_whole_file(const std::string& path, std::string& content) {
   return good;
 }
 
+// name=value; POV-Ray passes over anything else.
+bool is_declaration(std::string_view text) {
+  const size_t equals = text.find('=');
+  return equals != 0 && equals != std::string_view::npos && equals + 1 < text.size();
+}
+
 }  // namespace
 
 // An argument or a line while it is read.
@@ -86,6 +92,11 @@ void OptionReader::note_if_without_effect(const OptionEntry& entry) {
 void OptionReader::set(const OptionEntry& entry, std::string_view value, const Text& text) {
   if (entry.kind == OptionKind::include_ini) {
     read_ini(std::string(value));
+    return;
+  }
+  if (entry.id == Option::declare && !is_declaration(value)) {
+    notes_.push_back(text.place + ": Declare=" + std::string(value) +
+                     " is passed over: it lacks a name or a value, as in Declare=size=3");
     return;
   }
   if (!values_.set_from_text(entry.id, value)) {

@@ -81,7 +81,7 @@ s.pov +KFI0 +KFF0 | s.pov +K0.1 | s.pov +KFF3 +KI1 +KF4 | s.pov +KFI2 +KFF6 +STP
 s.pov +KFF10 +SF0.5 +EF0.6 | s.pov +KFF3 +SF3 +EF5 | s.pov +KFI-2 +KFF2 | s.pov +KFF2 +Oout/bar
 s.pov +KFF2 +Obar.png | s.pov +KFF3 +KFI5
 s.pov Declare=Given=1.23456789 | s.pov Declare='Text="abc"' | s.pov Declare=image_width=77
-s.pov Declare=Given=5 Declare=Given=6 | s.pov Declare=Given=3,4
+s.pov Declare=Given=5 Declare=Given=6 | s.pov Declare=Given=3,4 | s.pov Declare=Given | s.pov Declare=Given=
 s.pov +SC3 +EC5 +SR2 +ER4 | s.pov +SR0.25 +ER0.75 | s.pov +ER4.9 | s.pov +SC0.7 | s.pov +EC0.7
 s.pov +SR5 +ER2 | s.pov +SC1.5 +EC3.5
 s.pov +Q0 | s.pov +Q2 | s.pov +Q4 | s.pov +Q5 | s.pov +Q6 | s.pov +Q8 | s.pov +Q9 | s.pov +Q-1 | s.pov +Q99

@@ -145,6 +145,7 @@ TEST(CliSwitches, Declarations) {
   ASSERT_EQ(options.declares.size(), 2u);
   EXPECT_EQ(options.declares[0], std::make_pair(std::string("foo"), std::string("3")));
   EXPECT_EQ(options.declares[1], std::make_pair(std::string("bar"), std::string("\"a b\"")));
+  EXPECT_TRUE(options_of({"Declare=foo", "Declare=foo=", "Declare==3"}).declares.empty());
   expect_error({"Declare=foo=\"abc\""});
 }
 
