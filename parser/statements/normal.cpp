@@ -96,7 +96,6 @@ class NormalReader {
       node_.bump_size = static_cast<float>(parser_.parse_float());
     } else if (parser_.accept(Keyword::accuracy)) {
       node_.accuracy = static_cast<float>(parser_.parse_float());
-      if (node_.accuracy <= 0) parser_.error("accuracy must be positive");
     } else if (parser_.accept(Keyword::no_bump_scale)) {
       node_.no_bump_scale = parser_.parse_optional_switch();
     } else if (parser_.accept(Keyword::normal_map)) {

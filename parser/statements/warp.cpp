@@ -74,11 +74,7 @@ BlackHoleWarp parse_black_hole(Parser& parser) {
   }
 }
 
-Vec3 parse_orientation(Parser& parser) {
-  const Vec3 v = parser.parse_vector();
-  if (length(v) < kEpsilon) parser.error("the orientation of a warp must not be the zero vector");
-  return normalize_or_zero(v);
-}
+Vec3 parse_orientation(Parser& parser) { return normalize_or_zero(parser.parse_vector()); }
 
 template <typename RoundWarp>
 RoundWarp parse_round(Parser& parser, RoundWarp warp, double* major_radius) {

@@ -156,14 +156,15 @@ class Blob final : public Shape {
     part.c0 = c.strength / (part.radius2 * part.radius2);
     part.c1 = -2 * c.strength / part.radius2;
     part.c2 = c.strength;
+    const double r = std::abs(c.radius);
     const bool moved = !c.transform.is_identity();
     const bool enlarges = c.strength > 0;
     if (!c.is_cylinder) {
       part.center = c.center;
       part.has_transform = moved;
       part.frame = c.transform;
-      push(part, part.center - Vec3(c.radius), part.center + Vec3(c.radius));
-      if (enlarges) extend(part.center, c.radius, moved, c.transform);
+      push(part, part.center - Vec3(r), part.center + Vec3(r));
+      if (enlarges) extend(part.center, r, moved, c.transform);
       return;
     }
     const Vec3 axis = c.apex - c.center;
@@ -171,7 +172,6 @@ class Blob final : public Shape {
     const Transform placed = Transform::from_z_axis(c.center, axis / part.length);
     part.frame = moved ? placed.then(c.transform) : placed;
     part.has_transform = true;
-    const double r = c.radius;
     if (enlarges) {
       const double half = 0.5 * part.length;
       extend(Vec3(0, 0, half), std::sqrt(part.radius2 + half * half), true, part.frame);
