@@ -16,7 +16,7 @@
 #include "cli/options.h"
 #include "cli/output_name.h"
 #include "cli/shell.h"
-#include "tracer/sampling/thread_limit.h"
+#include "tracer/system/thread_limit.h"
 #include "tracer/scene/not_supported.h"
 
 namespace durer {

@@ -5,13 +5,14 @@ import re
 import sys
 
 # room -> the rooms it may include, besides itself
-BASE = {"tracer/math", "tracer/field"}
+BASE = {"tracer/math", "tracer/field", "tracer/system"}
 SCENE = BASE | {"tracer/scene"}
 GEOMETRY = SCENE | {"tracer/shapes", "tracer/patterns", "tracer/functions"}
 TEXTURE = GEOMETRY | {"tracer/texture", "tracer/image"}
 RENDER = TEXTURE | {"tracer/lights", "tracer/cameras", "tracer/volumes", "tracer/world",
                     "tracer/intersect", "tracer/shading", "tracer/sampling"}
 ALLOWED = {
+    "tracer/system": set(),
     "tracer/math": set(),
     "tracer/field": {"tracer/math"},
     "tracer/scene": BASE,

@@ -342,7 +342,7 @@ void Parser::State::do_break() {
 void Parser::State::do_end() {
   if (conditionals.empty()) error("#end without anything that it could end");
   const size_t index = conditionals.size() - 1;
-  const Conditional loop = conditionals[index];
+  Conditional& loop = conditionals[index];
   switch (loop.kind) {
     case Kind::macro_call:
       return_from_macro();
@@ -357,7 +357,7 @@ void Parser::State::do_end() {
     case Kind::while_loop: {
       if (loop.frame != frames.size() - 1) error("this #while loop began in another file");
       const uint32_t behind = last_offset + 3;
-      seek(frames.back(), loop.start);
+      seek(frames.back(), loop.start, loop.start_token);
       if (parse_condition()) {
         count_turn();
       } else {
@@ -381,7 +381,7 @@ void Parser::State::do_end() {
         conditionals.pop_back();
       } else {
         count_turn();
-        seek(frames.back(), loop.start);
+        seek(frames.back(), loop.start, loop.start_token);
       }
       return;
     }

@@ -23,7 +23,7 @@ void Parser::State::turn_page(Frame& frame) {
   frame.page_end = frame.at + frame.page->tokens.size();
 }
 
-void Parser::State::seek(Frame& frame, uint32_t offset) {
+void Parser::State::seek(Frame& frame, uint32_t offset, uint32_t& guess) {
   TokenPage* page = frame.page;
   if (!page || offset < page->begin || offset >= page->end) {
     if (page) --page->pins;
@@ -34,8 +34,15 @@ void Parser::State::seek(Frame& frame, uint32_t offset) {
   ++page->returns;
   const Token* begin = page->tokens.data();
   frame.page_end = begin + page->tokens.size();
-  frame.at = std::lower_bound(begin, frame.page_end, offset,
-                              [](const Token& token, uint32_t o) { return token.offset < o; });
+  const bool guessed = guess > 0 && guess < page->tokens.size() && begin[guess].offset >= offset &&
+                       begin[guess - 1].offset < offset;
+  if (!guessed) {
+    guess = static_cast<uint32_t>(
+        std::lower_bound(begin, frame.page_end, offset,
+                         [](const Token& token, uint32_t o) { return token.offset < o; }) -
+        begin);
+  }
+  frame.at = begin + guess;
 }
 
 // At the end of a file the place of messages stays at the token before, as POV-Ray's does.
@@ -68,7 +75,11 @@ void Parser::State::push_frame(std::shared_ptr<SourceFile> file, uint32_t offset
   frame.file = std::move(file);
   frame.macro = std::move(macro);
   frame.open_conditionals = conditionals.size();
-  seek(frame, offset);
+  if (frame.macro) {
+    seek(frame, offset, frame.macro->body_token);
+  } else {
+    seek(frame, offset);
+  }
 }
 
 void Parser::State::pop_frame() {

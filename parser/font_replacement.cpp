@@ -7,11 +7,36 @@
 #include <cctype>
 #include <memory>
 
+#include "tracer/system/shared_library.h"
+
 namespace durer {
 namespace {
 
+struct Fontconfig {
+  SharedLibrary library{DURER_FONTCONFIG_LIBRARY};
+  DURER_IMPORT(FcInit);
+  DURER_IMPORT(FcPatternCreate);
+  DURER_IMPORT(FcPatternDestroy);
+  DURER_IMPORT(FcPatternAddString);
+  DURER_IMPORT(FcPatternAddInteger);
+  DURER_IMPORT(FcPatternAddBool);
+  DURER_IMPORT(FcPatternGetString);
+  DURER_IMPORT(FcObjectSetBuild);
+  DURER_IMPORT(FcObjectSetDestroy);
+  DURER_IMPORT(FcFontList);
+  DURER_IMPORT(FcFontSetDestroy);
+  DURER_IMPORT(FcConfigSubstitute);
+  DURER_IMPORT(FcDefaultSubstitute);
+  DURER_IMPORT(FcFontMatch);
+};
+
+const Fontconfig& fontconfig() {
+  static const Fontconfig loaded;
+  return loaded;
+}
+
 struct PatternDeleter {
-  void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
+  void operator()(FcPattern* pattern) const { fontconfig().FcPatternDestroy(pattern); }
 };
 using Pattern = std::unique_ptr<FcPattern, PatternDeleter>;
 
@@ -19,7 +44,7 @@ const FcChar8* chars(const char* text) { return reinterpret_cast<const FcChar8*>
 
 std::string file_of(FcPattern* pattern) {
   FcChar8* file = nullptr;
-  if (FcPatternGetString(pattern, FC_FILE, 0, &file) != FcResultMatch) return {};
+  if (fontconfig().FcPatternGetString(pattern, FC_FILE, 0, &file) != FcResultMatch) return {};
   return reinterpret_cast<const char*>(file);
 }
 
@@ -27,10 +52,10 @@ std::string last_part(const std::string& path) { return path.substr(path.find_la
 
 // An installed font whose file has this name but for case.
 std::string of_same_file_name(const std::string& file_name) {
-  const Pattern any(FcPatternCreate());
-  FcObjectSet* wanted = FcObjectSetBuild(FC_FILE, static_cast<char*>(nullptr));
-  FcFontSet* fonts = FcFontList(nullptr, any.get(), wanted);
-  FcObjectSetDestroy(wanted);
+  const Pattern any(fontconfig().FcPatternCreate());
+  FcObjectSet* wanted = fontconfig().FcObjectSetBuild(FC_FILE, static_cast<char*>(nullptr));
+  FcFontSet* fonts = fontconfig().FcFontList(nullptr, any.get(), wanted);
+  fontconfig().FcObjectSetDestroy(wanted);
   std::string found;
   if (!fonts) return found;
   for (int i = 0; i < fonts->nfont; ++i) {
@@ -39,7 +64,7 @@ std::string of_same_file_name(const std::string& file_name) {
     // The least path, so that the choice does not depend on the order of the list.
     if (found.empty() || file < found) found = file;
   }
-  FcFontSetDestroy(fonts);
+  fontconfig().FcFontSetDestroy(fonts);
   return found;
 }
 
@@ -89,21 +114,21 @@ Style style_of(std::string stem) {
 }  // namespace
 
 std::string replacement_font(const std::string& name) {
-  if (!FcInit()) return {};
+  if (!fontconfig().FcInit()) return {};
   const std::string file_name = last_part(name);
   std::string file = of_same_file_name(file_name);
   if (!file.empty()) return file;
   const Style style = style_of(file_name.substr(0, file_name.rfind('.')));
-  const Pattern wanted(FcPatternCreate());
-  FcPatternAddString(wanted.get(), FC_FAMILY, chars(style.family.c_str()));
-  FcPatternAddInteger(wanted.get(), FC_WEIGHT, style.bold ? FC_WEIGHT_BOLD : FC_WEIGHT_NORMAL);
-  FcPatternAddInteger(wanted.get(), FC_SLANT, style.italic ? FC_SLANT_ITALIC : FC_SLANT_ROMAN);
-  FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
-  FcPatternAddString(wanted.get(), FC_FONTFORMAT, chars("TrueType"));
-  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-  FcDefaultSubstitute(wanted.get());
+  const Pattern wanted(fontconfig().FcPatternCreate());
+  fontconfig().FcPatternAddString(wanted.get(), FC_FAMILY, chars(style.family.c_str()));
+  fontconfig().FcPatternAddInteger(wanted.get(), FC_WEIGHT, style.bold ? FC_WEIGHT_BOLD : FC_WEIGHT_NORMAL);
+  fontconfig().FcPatternAddInteger(wanted.get(), FC_SLANT, style.italic ? FC_SLANT_ITALIC : FC_SLANT_ROMAN);
+  fontconfig().FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
+  fontconfig().FcPatternAddString(wanted.get(), FC_FONTFORMAT, chars("TrueType"));
+  fontconfig().FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+  fontconfig().FcDefaultSubstitute(wanted.get());
   FcResult result = FcResultNoMatch;
-  const Pattern match(FcFontMatch(nullptr, wanted.get(), &result));
+  const Pattern match(fontconfig().FcFontMatch(nullptr, wanted.get(), &result));
   return match ? file_of(match.get()) : std::string();
 }
 

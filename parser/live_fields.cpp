@@ -91,7 +91,8 @@ class LivePigment : public ColorField {
   LivePigment(std::shared_ptr<const PigmentNode> node, std::shared_ptr<const FieldSettings> live,
               const GlobalSettings& globals, int effective_version)
       : forms_(std::move(node), std::move(live), globals, effective_version,
-               [](const PigmentNode& pigment, const TextureSettings& settings) {
+               [](const PigmentNode& pigment, const TextureSettings& settings)
+                   -> std::shared_ptr<const CompiledPigment> {
                  return compile_pigment(pigment, settings);
                }) {}
 

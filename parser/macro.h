@@ -13,6 +13,7 @@ struct Macro {
   std::vector<Name> parameters;
   std::shared_ptr<SourceFile> file;
   uint32_t body = 0;  // byte offset behind the parameter list
+  mutable uint32_t body_token = 0;  // for Parser::State::seek()
 };
 
 }  // namespace durer

@@ -40,26 +40,26 @@ int Nesting::levels(const PatternNode& pattern) {
 // Pigments and normals: a pattern, perhaps a map, perhaps another one inside.
 template <typename Node, typename Map>
 int Nesting::levels_of_patterned(const std::shared_ptr<const Node>& node,
-                                 std::shared_ptr<const Map> Node::*map) {
-  if (!node) return 0;
+                                 const std::shared_ptr<const Map>& map,
+                                 const std::shared_ptr<const Node>& inner) {
   const PatternNode& pattern = *node->pattern;
-  if (!((*node).*map) && !node->inner && !pattern.object && !pattern.pigment && !pattern.function) {
-    return 0;
-  }
+  if (!map && !inner && !pattern.object && !pattern.pigment && !pattern.function) return 0;
   int most = find(node.get());
   if (most >= 0) return most;
-  most = std::max(levels_of_map((*node).*map), levels(pattern));
-  if (node->inner) most = std::max(most, 1 + levels(node->inner));
+  most = std::max(levels_of_map(map), levels(pattern));
+  if (inner) most = std::max(most, 1 + levels(inner));
   remember(node, most);
   return most;
 }
 
 int Nesting::levels(const std::shared_ptr<const PigmentNode>& pigment) {
-  return levels_of_patterned(pigment, &PigmentNode::pigment_map);
+  if (!pigment) return 0;
+  return levels_of_patterned(pigment, pigment->maps->pigment_map, pigment->maps->inner);
 }
 
 int Nesting::levels(const std::shared_ptr<const NormalNode>& normal) {
-  return levels_of_patterned(normal, &NormalNode::normal_map);
+  if (!normal) return 0;
+  return levels_of_patterned(normal, normal->normal_map, normal->inner);
 }
 
 int Nesting::levels(const TexturePtr& texture) {
@@ -69,9 +69,10 @@ int Nesting::levels(const TexturePtr& texture) {
   }
   int most = find(texture.get());
   if (most >= 0) return most;
-  most = std::max({levels(texture->pigment), levels(texture->normal), levels(*texture->pattern),
-                   levels_of_map(texture->texture_map)});
-  for (const TexturePtr& material : texture->materials) {
+  const TextureChoice& choice = *texture->choice;
+  most = std::max({levels(texture->pigment), levels(texture->normal), levels(choice.pattern),
+                   levels_of_map(choice.map)});
+  for (const TexturePtr& material : choice.materials) {
     most = std::max(most, 1 + levels(material));
   }
   if (texture->below) most = std::max(most, 1 + levels(texture->below));
@@ -127,9 +128,9 @@ int Nesting::levels(const ObjectNode& object) {
     } else if (const auto* inner = std::get_if<SetInteriorTexture>(&modifier)) {
       most = std::max(most, levels(inner->texture));
     } else if (const auto* bounds = std::get_if<AddBounds>(&modifier)) {
-      count_all(bounds->objects);
+      count_all(*bounds->objects);
     } else if (const auto* clips = std::get_if<AddClips>(&modifier)) {
-      count_all(clips->objects);
+      count_all(*clips->objects);
     }
   }
   return most;

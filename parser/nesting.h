@@ -36,7 +36,8 @@ class Nesting {
   int levels_of_map(const std::shared_ptr<const Map>& map);
   template <typename Node, typename Map>
   int levels_of_patterned(const std::shared_ptr<const Node>& node,
-                          std::shared_ptr<const Map> Node::*map);
+                          const std::shared_ptr<const Map>& map,
+                          const std::shared_ptr<const Node>& inner);
   int levels_of_shape(const ShapeNode& shape);
 
   std::unordered_map<const void*, Known> known_;

@@ -57,6 +57,7 @@ struct Conditional {
   Kind kind;
   size_t frame = 0;        // index of the frame that it began in
   uint32_t start = 0;      // loops: offset of the condition or the body; others: of the directive
+  uint32_t start_token = 0;  // for Parser::State::seek()
   Name variable = 0;       // #for
   double end = 0, step = 0;
   double switch_value = 0;
@@ -119,7 +120,12 @@ struct Parser::State {
   const Token& reach_odd_token(const Token& token);
   const Token& raw_peek();
   void turn_page(Frame& frame);
-  void seek(Frame& frame, uint32_t offset);
+  // `guess`: the place of that token in its page, if it is still the same; the place found.
+  void seek(Frame& frame, uint32_t offset, uint32_t& guess);
+  void seek(Frame& frame, uint32_t offset) {
+    uint32_t guess = 0;
+    seek(frame, offset, guess);
+  }
   void fetch();
   bool fetch_identifier();
   void resolve_subscripts();

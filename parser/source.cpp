@@ -77,8 +77,12 @@ void SourceFile::scan_lines_to(uint32_t offset) {
 
 int SourceFile::line_of(uint32_t offset) {
   if (offset >= lines_scanned_) scan_lines_to(offset);
-  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
-  return static_cast<int>(after - line_starts_.begin());
+  const bool is_last = last_line_ == line_starts_.size();
+  if (line_starts_[last_line_ - 1] > offset || (!is_last && line_starts_[last_line_] <= offset)) {
+    const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+    last_line_ = static_cast<size_t>(after - line_starts_.begin());
+  }
+  return static_cast<int>(last_line_);
 }
 
 int SourceFile::column_of(uint32_t offset) {

@@ -54,6 +54,7 @@ class SourceFile : public std::enable_shared_from_this<SourceFile> {
   uint64_t clock_ = 0;
   std::vector<uint32_t> line_starts_{0};
   uint32_t lines_scanned_ = 0;
+  size_t last_line_ = 1;  // that line_of() gave
 };
 
 // Whole content of a file. False: it cannot be read or is longer than the limit.

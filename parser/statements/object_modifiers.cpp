@@ -126,6 +126,7 @@ void ObjectBuilder::set_texture(TexturePtr texture) { add(SetTexture{std::move(t
 
 // The texture that `pigment{}` and its like change: the object's, or a copy of the default one.
 TexturePtr ObjectBuilder::texture_to_modify() {
+  if (node_->modifiers.empty() && !node_->base) return default_texture(parser_);
   const TexturePtr texture = resolve_textures(*node_).texture;
   if (texture && texture->kind != TextureNode::Kind::plain) {
     parser_.error("a patterned texture cannot be changed by a pigment, normal or finish here");

@@ -29,11 +29,7 @@ class ObjectBuilder {
   void set_shape(ShapeNode shape);
   // A CSG of these members: counts the levels.
   void set_csg(CsgNode csg);
-  void add(Modifier modifier) {
-    // Usually a texture, and the default one behind it.
-    if (node_->modifiers.empty()) node_->modifiers.reserve(2);
-    node_->modifiers.push_back(std::move(modifier));
-  }
+  void add(Modifier modifier) { node_->modifiers.push_back(std::move(modifier)); }
   // Everything of spec/language.md 25, up to the closing brace, which is consumed.
   ObjectPtr finish(const char* what);
   // The closing brace alone.

@@ -34,7 +34,7 @@ class PigmentReader {
         use_ == PatternUse::pigment && !started_from_identifier_) {
       parser_.warning("this pigment has no colour and no pattern: it is black");
     }
-    if (node_.pattern->kind == PatternKind::average && !node_.pigment_map) {
+    if (node_.pattern->kind == PatternKind::average && !node_.maps->pigment_map) {
       parser_.error("average needs a map");
     }
     // A solid colour looks the same everywhere.
@@ -54,7 +54,7 @@ class PigmentReader {
     node_.is_unspecified = false;
     node_.quick_color = inner->quick_color;
     node_.pattern.edit().kind = PatternKind::uv_mapping;
-    node_.inner = std::move(inner);
+    node_.maps = PigmentMaps{.inner = std::move(inner)};
   }
 
   // A colour or a pattern with its list.
@@ -82,8 +82,6 @@ class PigmentReader {
   }
 
   void read_list(int count) {
-    node_.color_map = nullptr;
-    node_.pigment_map = nullptr;
     const Keyword word = is_density() ? Keyword::density : Keyword::pigment;
     if (parser_.at(word)) {
       auto map = std::make_shared<PigmentMap>();
@@ -98,7 +96,7 @@ class PigmentReader {
         const float place = static_cast<float>(map->entries.size());
         map->entries.push_back({place, default_texture(parser_)->pigment});
       }
-      node_.pigment_map = std::move(map);
+      node_.maps = PigmentMaps{.pigment_map = std::move(map)};
       return;
     }
     // Colours; those left out come from the default list.
@@ -107,7 +105,7 @@ class PigmentReader {
       map->entries[i].item = parser_.parse_color();
       parser_.accept_comma();
     }
-    node_.color_map = std::move(map);
+    node_.maps = PigmentMaps{.color_map = std::move(map)};
   }
 
   bool accept_map() {
@@ -116,13 +114,11 @@ class PigmentReader {
       if (node_.pattern->kind == PatternKind::average) {
         parser_.error("average takes no colour_map");
       }
-      node_.color_map = parse_color_map(parser_);
-      node_.pigment_map = nullptr;
+      node_.maps = PigmentMaps{.color_map = parse_color_map(parser_)};
     } else if (parser_.accept(is_density() ? Keyword::density_map : Keyword::pigment_map)) {
       check_map(is_density() ? "density_map" : "pigment_map");
-      node_.pigment_map =
-          is_density() ? parse_density_map(parser_) : parse_pigment_map(parser_);
-      node_.color_map = nullptr;
+      node_.maps = PigmentMaps{.pigment_map = is_density() ? parse_density_map(parser_)
+                                                            : parse_pigment_map(parser_)};
     } else {
       return false;
     }
@@ -143,7 +139,7 @@ class PigmentReader {
 
   bool accept_quick_color() {
     if (!parser_.accept(Keyword::quick_color)) return false;
-    node_.quick_color = parser_.parse_color();
+    node_.quick_color = std::optional(parser_.parse_color());
     return true;
   }
 

@@ -20,12 +20,14 @@ TexturePtr without_bump_scale(const TexturePtr& texture) {
     normal->no_bump_scale = true;
     copy->normal = std::move(normal);
   }
-  if (texture->texture_map) {
-    auto map = std::make_shared<TextureMap>(*texture->texture_map);
+  if (texture->kind == TextureNode::Kind::plain) return copy;
+  TextureChoice& choice = copy->choice.edit();
+  if (choice.map) {
+    auto map = std::make_shared<TextureMap>(*choice.map);
     for (auto& entry : map->entries) entry.item = without_bump_scale(entry.item);
-    copy->texture_map = std::move(map);
+    choice.map = std::move(map);
   }
-  for (TexturePtr& material : copy->materials) material = without_bump_scale(material);
+  for (TexturePtr& material : choice.materials) material = without_bump_scale(material);
   return copy;
 }
 
@@ -41,15 +43,15 @@ std::shared_ptr<const PigmentNode> with_filter_as_transmit(
   if (!pigment) return pigment;
   auto copy = std::make_shared<PigmentNode>(*pigment);
   copy->color = with_filter_as_transmit(pigment->color);
-  if (pigment->color_map) {
-    auto map = std::make_shared<ColorMap>(*pigment->color_map);
+  if (pigment->maps->color_map) {
+    auto map = std::make_shared<ColorMap>(*pigment->maps->color_map);
     for (auto& entry : map->entries) entry.item = with_filter_as_transmit(entry.item);
-    copy->color_map = std::move(map);
+    copy->maps.edit().color_map = std::move(map);
   }
-  if (pigment->pigment_map) {
-    auto map = std::make_shared<PigmentMap>(*pigment->pigment_map);
+  if (pigment->maps->pigment_map) {
+    auto map = std::make_shared<PigmentMap>(*pigment->maps->pigment_map);
     for (auto& entry : map->entries) entry.item = with_filter_as_transmit(entry.item);
-    copy->pigment_map = std::move(map);
+    copy->maps.edit().pigment_map = std::move(map);
   }
   return copy;
 }
@@ -134,44 +136,46 @@ class TextureReader {
   void read_patterned() {
     auto node = std::make_shared<TextureNode>();
     node->kind = TextureNode::Kind::patterned;
-    node->pattern.edit().position = parser_.position();
+    TextureChoice& choice = node->choice.edit();
+    choice.pattern.position = parser_.position();
     if (parser_.accept(Keyword::tiles)) {
-      read_tiles(*node);
+      read_tiles(choice);
       return read_moves(std::move(node));
     } else if (parser_.accept(Keyword::material_map)) {
-      read_material_map(*node);
+      node->kind = TextureNode::Kind::material_map;
+      read_material_map(choice);
       return read_moves(std::move(node));
     } else if (parser_.accept(Keyword::uv_mapping)) {
       while (parser_.accept(Keyword::uv_mapping)) {
         // Once more changes nothing.
       }
-      node->pattern.edit().kind = PatternKind::uv_mapping;
+      choice.pattern.kind = PatternKind::uv_mapping;
       auto map = std::make_shared<TextureMap>();
       map->entries.push_back({0, TextureReader(parser_).read()});
-      node->texture_map = std::move(map);
+      choice.map = std::move(map);
     } else if (parser_.accept(Keyword::object)) {
-      node->pattern.edit().kind = PatternKind::object;
-      node->pattern.edit().frequency = 0;
+      choice.pattern.kind = PatternKind::object;
+      choice.pattern.frequency = 0;
       parser_.expect_open("object");
-      node->pattern.edit().object = require_object(parser_);
-      read_list(*node, 2);
+      choice.pattern.object = require_object(parser_);
+      read_list(choice, 2);
       parser_.expect_close("object");
-    } else if (accept_pattern(parser_, node->pattern.edit(), PatternUse::texture)) {
-      if (const int count = list_length(node->pattern->kind)) read_list(*node, count);
+    } else if (accept_pattern(parser_, choice.pattern, PatternUse::texture)) {
+      if (const int count = list_length(choice.pattern.kind)) read_list(choice, count);
     } else {
       return;  // an empty texture{} is the default one
     }
     for (;;) {
       if (parser_.accept(Keyword::texture_map)) {
-        node->texture_map = parse_texture_map(parser_);
+        choice.map = parse_texture_map(parser_);
       } else if (parser_.accept(Keyword::no_bump_scale)) {
         no_bump_scale_ = parser_.parse_optional_switch();
-      } else if (!accept_pattern_modifier(parser_, node->pattern.edit())) {
+      } else if (!accept_pattern_modifier(parser_, choice.pattern)) {
         break;
       }
     }
-    check_pattern(parser_, *node->pattern);
-    if (node->kind == TextureNode::Kind::patterned && !node->texture_map) {
+    check_pattern(parser_, choice.pattern);
+    if (node->kind == TextureNode::Kind::patterned && !choice.map) {
       parser_.error("a patterned texture needs a texture_map");
     }
     texture_ = std::move(node);
@@ -184,7 +188,7 @@ class TextureReader {
     }
   }
 
-  void read_list(TextureNode& node, int count) {
+  void read_list(TextureChoice& choice, int count) {
     auto map = std::make_shared<TextureMap>();
     for (int i = 0; i < count; ++i) {
       const float place = static_cast<float>(i);
@@ -197,11 +201,11 @@ class TextureReader {
         map->entries.push_back({place, default_texture(parser_)});
       }
     }
-    node.texture_map = std::move(map);
+    choice.map = std::move(map);
   }
 
   // A checker: the first texture at value 1.
-  void read_tiles(TextureNode& node) {
+  void read_tiles(TextureChoice& choice) {
     parser_.expect_open("tiles");
     if (!parser_.accept(Keyword::texture)) parser_.error_expected("texture");
     const TexturePtr first = parse_layers();
@@ -209,11 +213,11 @@ class TextureReader {
     if (!parser_.accept(Keyword::texture)) parser_.error_expected("texture");
     const TexturePtr second = parse_layers();
     parser_.expect_close("tiles");
-    node.pattern.edit().kind = PatternKind::checker;
-    node.pattern.edit().frequency = 0;
+    choice.pattern.kind = PatternKind::checker;
+    choice.pattern.frequency = 0;
     auto map = std::make_shared<TextureMap>();
     map->entries = {{0, second}, {1, first}};
-    node.texture_map = std::move(map);
+    choice.map = std::move(map);
   }
 
   TexturePtr parse_layers() {
@@ -224,12 +228,11 @@ class TextureReader {
     return texture;
   }
 
-  void read_material_map(TextureNode& node) {
-    node.kind = TextureNode::Kind::material_map;
+  void read_material_map(TextureChoice& choice) {
     parser_.expect_open("material_map");
-    node.pattern.edit().image = parse_image_options(parser_, PatternKind::none);
-    while (parser_.accept(Keyword::texture)) node.materials.push_back(parse_texture(parser_));
-    if (node.materials.empty()) parser_.error("a material_map needs at least one texture");
+    choice.pattern.image = parse_image_options(parser_, PatternKind::none);
+    while (parser_.accept(Keyword::texture)) choice.materials.push_back(parse_texture(parser_));
+    if (choice.materials.empty()) parser_.error("a material_map needs at least one texture");
     parser_.expect_close("material_map");
   }
 

@@ -189,13 +189,15 @@ TEST(Boxes, AreThoseOfPovRay) {
   EXPECT_EQ(cut->extents().max, Vec3(1, 1, 1));
   const auto bowl = ObjectQuery::build(
       object(QuadricNode{{1, 0, 1}, Vec3(0), {0, -1, 0}, 0},
-             {AddClips{{object(PlaneNode{kY, 2})}}}),
+             {AddClips{std::vector{object(PlaneNode{kY, 2})}}}),
       370);
   EXPECT_NEAR(bowl->extents().max.x, 1.41421, 1e-5);
   EXPECT_NEAR(bowl->extents().max.y, 2, 1e-6);
   EXPECT_NEAR(bowl->extents().min.y, 0, 1e-6);
   const auto bounded = ObjectQuery::build(
-      object(SphereNode{Vec3(0), 1}, {AddBounds{{object(BoxNode{Vec3(5), Vec3(6)})}}}), 370);
+      object(SphereNode{Vec3(0), 1},
+             {AddBounds{std::vector{object(BoxNode{Vec3(5), Vec3(6)})}}}),
+      370);
   EXPECT_EQ(bounded->extents().min, Vec3(5));
   EXPECT_TRUE(bounded->inside(Vec3(0)));
 }

@@ -24,7 +24,8 @@ class SmallWorld {
     options.input_file = path;
     scene_ = std::move(parse_scene(options).scene);
     std::remove(path.c_str());
-    shading_ = std::make_unique<ShadingScene>(*scene_, World::build(*scene_, {}), ShadingOptions{});
+    shading_ = std::make_unique<ShadingScene>(*scene_, scene_->objects, WorldOptions{},
+                                              ShadingOptions{});
   }
 
   const ShadingScene& shading() const { return *shading_; }

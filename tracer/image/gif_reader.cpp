@@ -3,14 +3,31 @@
 #include <stdexcept>
 
 #include "tracer/image/raster_file.h"
+#include "tracer/system/shared_library.h"
 
 namespace durer {
+namespace {
+
+struct Gif {
+  SharedLibrary library{DURER_GIF_LIBRARY};
+  DURER_IMPORT(DGifOpenFileName);
+  DURER_IMPORT(DGifSlurp);
+  DURER_IMPORT(DGifSavedExtensionToGCB);
+  DURER_IMPORT(DGifCloseFile);
+};
+
+const Gif& giflib() {
+  static const Gif loaded;
+  return loaded;
+}
+
+}  // namespace
 
 RasterFile read_gif(const std::string& path) {
   int code = 0;
-  GifFileType* gif = DGifOpenFileName(path.c_str(), &code);
+  GifFileType* gif = giflib().DGifOpenFileName(path.c_str(), &code);
   if (!gif) throw std::runtime_error("the image '" + path + "' cannot be opened as GIF");
-  const bool read = DGifSlurp(gif) == GIF_OK && gif->ImageCount > 0;
+  const bool read = giflib().DGifSlurp(gif) == GIF_OK && gif->ImageCount > 0;
   const SavedImage* image = read ? &gif->SavedImages[0] : nullptr;
   const ColorMapObject* colors = nullptr;
   if (image) colors = image->ImageDesc.ColorMap ? image->ImageDesc.ColorMap : gif->SColorMap;
@@ -21,14 +38,14 @@ RasterFile read_gif(const std::string& path) {
     file.bytes.assign(image->RasterBits,
                       image->RasterBits + static_cast<size_t>(file.width) * file.height);
     GraphicsControlBlock control{};
-    const bool has_control = DGifSavedExtensionToGCB(gif, 0, &control) == GIF_OK;
+    const bool has_control = giflib().DGifSavedExtensionToGCB(gif, 0, &control) == GIF_OK;
     for (int i = 0; i < colors->ColorCount; ++i) {
       const GifColorType& c = colors->Colors[i];
       const bool transparent = has_control && control.TransparentColor == i;
       file.palette.push_back({c.Red, c.Green, c.Blue, transparent ? uint8_t{0} : uint8_t{255}});
     }
   }
-  DGifCloseFile(gif, &code);
+  giflib().DGifCloseFile(gif, &code);
   if (!colors) throw std::runtime_error("the image '" + path + "' is no readable GIF");
   return file;
 }

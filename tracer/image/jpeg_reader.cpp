@@ -7,9 +7,27 @@
 #include <stdexcept>
 
 #include "tracer/image/raster_file.h"
+#include "tracer/system/shared_library.h"
 
 namespace durer {
 namespace {
+
+struct Jpeg {
+  SharedLibrary library{DURER_JPEG_LIBRARY};
+  DURER_IMPORT(jpeg_std_error);
+  DURER_IMPORT(jpeg_CreateDecompress);
+  DURER_IMPORT(jpeg_destroy_decompress);
+  DURER_IMPORT(jpeg_stdio_src);
+  DURER_IMPORT(jpeg_read_header);
+  DURER_IMPORT(jpeg_start_decompress);
+  DURER_IMPORT(jpeg_read_scanlines);
+  DURER_IMPORT(jpeg_finish_decompress);
+};
+
+const Jpeg& libjpeg() {
+  static const Jpeg loaded;
+  return loaded;
+}
 
 struct ErrorHandler {
   jpeg_error_mgr base;  // first: libjpeg hands back a pointer to it
@@ -28,18 +46,18 @@ void ignore_message(j_common_ptr) {}
 // What a longjmp passes over is kept outside.
 bool decode(std::FILE* stream, RasterFile& file, ErrorHandler& handler) {
   jpeg_decompress_struct jpeg;
-  jpeg.err = jpeg_std_error(&handler.base);
+  jpeg.err = libjpeg().jpeg_std_error(&handler.base);
   handler.base.error_exit = leave;
   handler.base.output_message = ignore_message;
   if (setjmp(handler.jump)) {
-    jpeg_destroy_decompress(&jpeg);
+    libjpeg().jpeg_destroy_decompress(&jpeg);
     return false;
   }
-  jpeg_create_decompress(&jpeg);
-  jpeg_stdio_src(&jpeg, stream);
-  jpeg_read_header(&jpeg, TRUE);
+  libjpeg().jpeg_CreateDecompress(&jpeg, JPEG_LIB_VERSION, sizeof jpeg);
+  libjpeg().jpeg_stdio_src(&jpeg, stream);
+  libjpeg().jpeg_read_header(&jpeg, TRUE);
   if (jpeg.out_color_space != JCS_GRAYSCALE) jpeg.out_color_space = JCS_RGB;
-  jpeg_start_decompress(&jpeg);
+  libjpeg().jpeg_start_decompress(&jpeg);
   file.width = static_cast<int>(jpeg.output_width);
   file.height = static_cast<int>(jpeg.output_height);
   file.channels = jpeg.output_components;
@@ -47,10 +65,10 @@ bool decode(std::FILE* stream, RasterFile& file, ErrorHandler& handler) {
   file.bytes.resize(stride * static_cast<size_t>(file.height));
   while (jpeg.output_scanline < jpeg.output_height) {
     JSAMPROW row = file.bytes.data() + stride * jpeg.output_scanline;
-    jpeg_read_scanlines(&jpeg, &row, 1);
+    libjpeg().jpeg_read_scanlines(&jpeg, &row, 1);
   }
-  jpeg_finish_decompress(&jpeg);
-  jpeg_destroy_decompress(&jpeg);
+  libjpeg().jpeg_finish_decompress(&jpeg);
+  libjpeg().jpeg_destroy_decompress(&jpeg);
   return true;
 }
 

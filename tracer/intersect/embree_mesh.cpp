@@ -7,14 +7,39 @@
 #include <cmath>
 #include <limits>
 
+#include "tracer/system/shared_library.h"
+#include "tracer/system/thread_limit.h"
+
 namespace durer {
 namespace {
+
+struct Embree {
+  SharedLibrary library{DURER_EMBREE_LIBRARY};
+  DURER_IMPORT(rtcNewDevice);
+  DURER_IMPORT(rtcReleaseDevice);
+  DURER_IMPORT(rtcNewScene);
+  DURER_IMPORT(rtcReleaseScene);
+  DURER_IMPORT(rtcSetSceneFlags);
+  DURER_IMPORT(rtcCommitScene);
+  DURER_IMPORT(rtcNewGeometry);
+  DURER_IMPORT(rtcReleaseGeometry);
+  DURER_IMPORT(rtcSetNewGeometryBuffer);
+  DURER_IMPORT(rtcSetSharedGeometryBuffer);
+  DURER_IMPORT(rtcCommitGeometry);
+  DURER_IMPORT(rtcAttachGeometry);
+  DURER_IMPORT(rtcIntersect1);
+};
+
+const Embree& embree() {
+  static const Embree loaded;
+  return loaded;
+}
 
 // Without a number of threads: Embree would limit oneTBB for the whole program to it, rendering
 // included, as long as the device lives.
 struct Device {
-  RTCDevice device = rtcNewDevice("set_affinity=0");
-  ~Device() { rtcReleaseDevice(device); }
+  RTCDevice device = embree().rtcNewDevice("set_affinity=0");
+  ~Device() { embree().rtcReleaseDevice(device); }
 };
 
 struct VisitContext {
@@ -56,8 +81,8 @@ RTCRayHit ray_from(const Vec3& origin, const Vec3& direction, float near, float 
 
 struct EmbreeMesh::Scene {
   std::shared_ptr<Device> device = std::make_shared<Device>();
-  RTCScene scene = rtcNewScene(device->device);
-  ~Scene() { rtcReleaseScene(scene); }
+  RTCScene scene = embree().rtcNewScene(device->device);
+  ~Scene() { embree().rtcReleaseScene(scene); }
 };
 
 EmbreeMesh::EmbreeMesh(const std::vector<glm::vec3>& vertices,
@@ -68,9 +93,9 @@ EmbreeMesh::EmbreeMesh(const std::vector<glm::vec3>& vertices,
   }
   center_ = bounds_.center();
   const RTCGeometry geometry =
-      rtcNewGeometry(scene_->device->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+      embree().rtcNewGeometry(scene_->device->device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* points = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+      embree().rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                               3 * sizeof(float), vertices.size()));
   for (size_t i = 0; i < vertices.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -78,17 +103,17 @@ EmbreeMesh::EmbreeMesh(const std::vector<glm::vec3>& vertices,
                                                 center_[axis]);
     }
   }
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, faces.data(), 0,
+  embree().rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, faces.data(), 0,
                              3 * sizeof(int32_t), faces.size());
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcSetSceneFlags(scene_->scene, static_cast<RTCSceneFlags>(
+  embree().rtcCommitGeometry(geometry);
+  embree().rtcAttachGeometry(scene_->scene, geometry);
+  embree().rtcReleaseGeometry(geometry);
+  embree().rtcSetSceneFlags(scene_->scene, static_cast<RTCSceneFlags>(
                                       RTC_SCENE_FLAG_ROBUST |
                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   // By one thread: the order within leaves must not depend on how many there are.
   const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
-  rtcCommitScene(scene_->scene);
+  embree().rtcCommitScene(scene_->scene);
 }
 
 EmbreeMesh::~EmbreeMesh() = default;
@@ -121,7 +146,7 @@ bool EmbreeMesh::nearest(const Vec3& origin, const Vec3& direction, double min_d
   RTCRayHit ray = ray_from(origin + advance * direction - center_, direction, near, far);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_->scene, &context, &ray);
+  embree().rtcIntersect1(scene_->scene, &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   face = ray.hit.primID;
   return true;
@@ -138,7 +163,7 @@ void EmbreeMesh::visit_all(const Vec3& origin, const Vec3& direction, double max
   context.context.filter = decline;
   context.visitor = visitor;
   context.data = data;
-  rtcIntersect1(scene_->scene, &context.context, &ray);
+  embree().rtcIntersect1(scene_->scene, &context.context, &ray);
 }
 
 }  // namespace durer

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracer/sampling/antialiasing.h"
+#include "tracer/system/thread_limit.h"
 
 namespace durer {
 namespace {
@@ -90,6 +91,7 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
     for (const PixelWindow& block : blocks) render_block(block, total);
     return total;
   }
+  enforce_thread_limit();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<size_t>(options.threads));
   tbb::task_arena arena(options.threads);

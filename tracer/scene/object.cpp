@@ -39,6 +39,11 @@ void apply_modifiers(const ObjectNode& node, ResolvedTextures& state) {
 }  // namespace
 
 ResolvedTextures resolve_textures(const ObjectNode& object) {
+  if (!object.base) {
+    ResolvedTextures state;
+    apply_modifiers(object, state);
+    return state;
+  }
   // From the shape's own statement to the last copy.
   std::vector<const ObjectNode*> chain;
   for (const ObjectNode* node = &object; node; node = node->base.get()) chain.push_back(node);

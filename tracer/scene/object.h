@@ -31,11 +31,11 @@ struct SetDefaultTexture { TexturePtr texture; };
 struct SetInteriorTexture { TexturePtr texture; };
 struct SetInterior { std::shared_ptr<const InteriorNode> interior; };
 struct SetFlag { ObjectFlag flag; bool value; };  // inverse: toggles
-struct AddBounds { std::vector<ObjectPtr> objects; };
-struct AddClips { std::vector<ObjectPtr> objects; };
+struct AddBounds { Rare<std::vector<ObjectPtr>> objects; };
+struct AddClips { Rare<std::vector<ObjectPtr>> objects; };
 struct ShareBoundsAsClips {};  // clipped_by{bounded_by}
 struct ShareClipsAsBounds {};  // bounded_by{clipped_by}
-struct SetPhotons { PhotonSettings photons; };
+struct SetPhotons { Rare<PhotonSettings> photons; };
 struct SetRadiosityImportance { double importance; };
 
 // In the order of the text. A transform acts on what is there at that point.

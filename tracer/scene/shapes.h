@@ -206,8 +206,8 @@ struct LightNode;
 using ShapeNode =
     std::variant<SphereNode, BoxNode, PlaneNode, CylinderNode, ConeNode, DiscNode, TorusNode,
                  SuperellipsoidNode, OvusNode, TriangleNode, Rare<SmoothTriangleNode>, PolygonNode,
-                 QuadricNode, PolyNode, LatheNode, SorNode, PrismNode, SphereSweepNode, BlobNode,
-                 TextNode, HeightFieldNode, Rare<BicubicPatchNode>, Rare<MeshNode>, Rare<IsosurfaceNode>,
+                 Rare<QuadricNode>, PolyNode, LatheNode, SorNode, PrismNode, SphereSweepNode, BlobNode,
+                 Rare<TextNode>, HeightFieldNode, Rare<BicubicPatchNode>, Rare<MeshNode>, Rare<IsosurfaceNode>,
                  Rare<ParametricNode>, Rare<JuliaFractalNode>, CsgNode, std::shared_ptr<const LightNode>>;
 
 }  // namespace durer

@@ -26,7 +26,7 @@ TexturePtr transformed(const TexturePtr& texture, const Transform& transform) {
     copy->pigment = transformed(texture->pigment, transform);
     copy->normal = transformed(texture->normal, transform);
   } else {
-    append_transform(copy->pattern.edit().warps, transform);
+    append_transform(copy->choice.edit().pattern.warps, transform);
   }
   copy->below = transformed(texture->below, transform);
   return copy;

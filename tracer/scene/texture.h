@@ -40,6 +40,13 @@ using NormalMap = BlendMap<std::shared_ptr<const NormalNode>>;
 using SlopeMap = BlendMap<SlopeAt>;
 using TextureMap = BlendMap<std::shared_ptr<const TextureNode>>;
 
+// What a pattern's values choose among.
+struct PigmentMaps {
+  std::shared_ptr<const ColorMap> color_map = nullptr;  // null with pigment_map; else the default
+  std::shared_ptr<const PigmentMap> pigment_map = nullptr;  // pigment_map, pigment lists, average
+  std::shared_ptr<const PigmentNode> inner = nullptr;       // uv_mapping
+};
+
 // A solid colour, or a pattern with a map. Lists (checker a, b) are maps with positions 0, 1, ...
 // Also a density{}: then colours are taken as rgb.
 struct PigmentNode {
@@ -48,11 +55,9 @@ struct PigmentNode {
   Rare<PatternNode> pattern;
   bool is_unspecified = true;  // neither colour nor pattern was given: black
   ColorRGBFT color;
-  std::shared_ptr<const ColorMap> color_map;      // null with pigment_map; null: default map
-  std::shared_ptr<const PigmentMap> pigment_map;  // pigment_map, pigment lists, average
-  std::shared_ptr<const PigmentNode> inner;       // uv_mapping
+  Rare<PigmentMaps> maps;
   // quick_color, used at quality <= 5 when no component is -1.
-  std::optional<ColorRGBFT> quick_color;
+  Rare<std::optional<ColorRGBFT>> quick_color;
 };
 
 // normal{}: pattern with a bump size (spec/textures.md 14).
@@ -101,8 +106,17 @@ struct FinishNode {
   float legacy_ior = -1, legacy_caustics = -1, legacy_refraction = -1;
 };
 
-// One texture: plain (pigment, normal, finish), patterned (pattern + texture_map), or a
-// material_map. Layers are a vector of these, bottom first.
+// What a texture that is not plain chooses by, and among what.
+struct TextureChoice {
+  // patterned (also tiles = checker, average, uv_mapping with one entry at position 0)
+  PatternNode pattern;
+  std::shared_ptr<const TextureMap> map;
+  // material_map: pattern.image selects among these
+  std::vector<std::shared_ptr<const TextureNode>> materials;
+};
+
+// One texture: plain (pigment, normal, finish), patterned (a pattern and a texture_map), or a
+// material_map.
 struct TextureNode {
   enum class Kind : uint8_t { plain, patterned, material_map };
   Kind kind = Kind::plain;
@@ -110,11 +124,7 @@ struct TextureNode {
   std::shared_ptr<const PigmentNode> pigment;
   std::shared_ptr<const NormalNode> normal;  // null: none
   std::shared_ptr<const FinishNode> finish;
-  // patterned (also tiles = checker, average, uv_mapping with one entry at position 0)
-  Rare<PatternNode> pattern;
-  std::shared_ptr<const TextureMap> texture_map;
-  // material_map: pattern.image selects among these
-  std::vector<std::shared_ptr<const TextureNode>> materials;
+  Rare<TextureChoice> choice;  // of the other kinds
   // Layered texture: the layer below this one (null for the bottom). A TextureNode pointer thus
   // names a whole stack, whose top is this node.
   std::shared_ptr<const TextureNode> below;

@@ -30,7 +30,7 @@ RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& text
     WeightedTexture children[TextureSelector::kMostTextures];
     Vec3 child_point;
     const int count = texture.selector->select(point, context, child_point, children);
-    frames.enter(texture.frame);
+    frames.enter(texture.selector->frame);
     RGB sum(0.0f);
     for (int i = 0; i < count; ++i) {
       sum += children[i].weight * texture_transmittance(scene, *children[i].texture, child_point,
@@ -86,7 +86,7 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
     const TextureShare& share = surface.shares[i];
     if (surface.share_count > 1 && share.weight < scene.scene.settings.adc_bailout) continue;
     EnclosingFrames frames;
-    sum += share.weight * texture_transmittance(scene, *scene.textures[share.texture], point,
+    sum += share.weight * texture_transmittance(scene, scene.textures[share.texture], point,
                                                 context, interior.caustics, frames);
   }
   if (interior.node && interior.node->fade_power > 0 &&

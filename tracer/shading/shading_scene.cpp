@@ -7,18 +7,35 @@ namespace durer {
 namespace {
 
 // Volumes and indirect light that a picture of this quality would show but that are not there yet.
-void refuse_missing_features(const Scene& scene, const World& world, int quality) {
+void refuse_missing_features(const Scene& scene, int quality) {
   if (quality < 9) return;
   if (!scene.atmosphere.empty()) {
     throw NotSupported("media in the atmosphere", scene.atmosphere.front()->position);
   }
+  if (scene.settings.radiosity.enabled) throw NotSupported("radiosity", {});
+  if (scene.settings.photons.enabled) throw NotSupported("photons", {});
+}
+
+void refuse_missing_features(const Scene& scene, const World& world, int quality) {
+  if (quality < 9) return;
   for (const WorldInterior& interior : world.interiors().kinds()) {
     if (interior.node && !interior.node->media.empty() && interior.hollow) {
       throw NotSupported("media inside an object", interior.node->media.front()->position);
     }
   }
-  if (scene.settings.radiosity.enabled) throw NotSupported("radiosity", {});
-  if (scene.settings.photons.enabled) throw NotSupported("photons", {});
+  if (!scene.settings.subsurface) return;
+  for (const CompiledTexture& texture : world.textures()) {
+    for (const TextureLayer& layer : texture.layers) {
+      if (layer.finish->has_subsurface) throw NotSupported("subsurface light transport", {});
+    }
+  }
+}
+
+std::unique_ptr<World> build_world(const Scene& scene, std::vector<ObjectPtr> objects,
+                                   const WorldOptions& world, const ShadingOptions& options) {
+  refuse_missing_features(scene, options.quality);
+  const WorldPatternServices services(texture_settings(scene, options), scene.settings);
+  return World::build(scene, std::move(objects), world, services.settings());
 }
 
 std::vector<int> lights_of_group(const World& world, int group) {
@@ -50,36 +67,17 @@ TextureSettings texture_settings(const Scene& scene, const ShadingOptions& optio
           scene.effective_version};
 }
 
-ShadingScene::ShadingScene(const Scene& from, std::unique_ptr<World> built,
-                           const ShadingOptions& chosen)
+ShadingScene::ShadingScene(const Scene& from, std::vector<ObjectPtr> objects,
+                           const WorldOptions& world_options, const ShadingOptions& chosen)
     : scene(from),
-      world(std::move(built)),
       options(chosen),
+      world(build_world(from, std::move(objects), world_options, chosen)),
       new_opacity_rule(from.effective_version >= 370),
+      textures(world->textures()),
       atmosphere(from,
                  WorldPatternServices(texture_settings(from, chosen), from.settings).settings(),
                  chosen.output_alpha) {
   refuse_missing_features(scene, *world, options.quality);
-
-  // Textures, and which of them can never let light through.
-  const WorldPatternServices services(texture_settings(scene, options), scene.settings);
-  const TextureSettings& settings = services.settings();
-  std::vector<bool> opaque;
-  std::vector<TexturePtr> nodes = world->take_textures();
-  textures.reserve(nodes.size());
-  for (TexturePtr& node : nodes) {
-    textures.push_back(compile_texture(*node, settings));
-    opaque.push_back(textures.back()->is_opaque);
-    for (const TextureLayer& layer : textures.back()->layers) {
-      if (layer.finish->has_subsurface && scene.settings.subsurface && options.quality >= 9) {
-        throw NotSupported("subsurface light transport", node->pattern->position);
-      }
-    }
-    node.reset();
-  }
-  nodes = {};
-  world->set_opaque_textures(std::move(opaque));
-
   for (const WorldLight& light : world->lights()) lights.emplace_back(*light.node);
   const int groups = static_cast<int>(world->light_groups().size());
   for (int group = -1; group < groups; ++group) lights_by_group.push_back(lights_on(*world, group));

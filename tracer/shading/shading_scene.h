@@ -22,13 +22,15 @@ TextureSettings texture_settings(const Scene& scene, const ShadingOptions& optio
 
 struct ShadingScene {
   // Throws NotSupported for what something visible needs and shading cannot do yet.
-  ShadingScene(const Scene& scene, std::unique_ptr<World> world, const ShadingOptions& options);
+  // The objects are let go on their way into the world.
+  ShadingScene(const Scene& scene, std::vector<ObjectPtr> objects, const WorldOptions& world,
+               const ShadingOptions& options);
 
   const Scene& scene;
-  std::unique_ptr<World> world;
   ShadingOptions options;
+  std::unique_ptr<World> world;
   bool new_opacity_rule;  // effective version >= 3.7 (spec/shading.md 16)
-  std::vector<std::shared_ptr<const CompiledTexture>> textures;  // by world index
+  const std::vector<CompiledTexture>& textures;                  // by world index
   std::vector<Light> lights;                                     // by world index
   // Which lights shine on the members of a group: lists of light indices; entry 0: outside groups.
   std::vector<std::vector<int>> lights_by_group;

@@ -90,13 +90,13 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
 
   ShadowedLights lights;
   const CompiledTexture* first =
-      surface.share_count ? scene_.textures[surface.shares[0].texture].get() : nullptr;
+      surface.share_count ? &scene_.textures[surface.shares[0].texture] : nullptr;
   if (surface.share_count > 1 || (first && (first->selector || first->layers.size() > 1))) {
     hit.lights = &lights;
   }
   if (surface.share_count == 1) {
     EnclosingFrames frames;
-    shade_texture(ray, hit, *scene_.textures[surface.shares[0].texture], point, frames, counts,
+    shade_texture(ray, hit, scene_.textures[surface.shares[0].texture], point, frames, counts,
                   result.color, result.transmit);
     return;
   }
@@ -106,7 +106,7 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
     RGB color(0.0f);
     float transmit = 0;
     EnclosingFrames frames;
-    shade_texture(ray, hit, *scene_.textures[share.texture], point, frames, counts, color,
+    shade_texture(ray, hit, scene_.textures[share.texture], point, frames, counts, color,
                   transmit);
     result.color += share.weight * color;
     result.transmit += share.weight * transmit;
@@ -124,7 +124,7 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     TextureContext context = hit.context;
     context.normal = hit.last_normal;
     const int count = texture.selector->select(point, context, child_point, children);
-    frames.enter(texture.frame);
+    frames.enter(texture.selector->frame);
     for (int i = 0; i < count; ++i) {
       RGB child_color(0.0f);
       float child_transmit = 0;

@@ -134,7 +134,7 @@ class Shape {
 struct PlacedShape {
   std::shared_ptr<const Shape> shape;
   bool has_transform = false;
-  Transform transform;
+  Rare<Transform> transform;
 };
 
 struct ShapeContext {

@@ -10,6 +10,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "tracer/system/shared_library.h"
+
 namespace durer {
 namespace {
 
@@ -147,6 +149,25 @@ class Glyph final : public Shape {
   Bounds box_;
 };
 
+struct FreeType {
+  SharedLibrary library{DURER_FREETYPE_LIBRARY};
+  DURER_IMPORT(FT_Init_FreeType);
+  DURER_IMPORT(FT_Done_FreeType);
+  DURER_IMPORT(FT_New_Face);
+  DURER_IMPORT(FT_Done_Face);
+  DURER_IMPORT(FT_Get_CMap_Format);
+  DURER_IMPORT(FT_Set_Charmap);
+  DURER_IMPORT(FT_Get_Char_Index);
+  DURER_IMPORT(FT_Load_Glyph);
+  DURER_IMPORT(FT_Get_Kerning);
+  DURER_IMPORT(FT_Outline_Decompose);
+};
+
+const FreeType& freetype() {
+  static const FreeType loaded;
+  return loaded;
+}
+
 // Collects what FreeType takes apart; coordinates in em.
 struct OutlineBuilder {
   double scale;
@@ -204,7 +225,7 @@ std::vector<Edge> outline_of(FT_Outline& outline, double scale) {
     }
     return 0;
   };
-  FT_Outline_Decompose(&outline, &functions, &builder);
+  freetype().FT_Outline_Decompose(&outline, &functions, &builder);
   builder.line(builder.start);
   return std::move(builder.edges);
 }
@@ -212,15 +233,15 @@ std::vector<Edge> outline_of(FT_Outline& outline, double scale) {
 class Font {
  public:
   explicit Font(const std::string& path) {
-    if (FT_Init_FreeType(&library_)) throw std::runtime_error("cannot start FreeType");
-    if (FT_New_Face(library_, path.c_str(), 0, &face_)) {
-      FT_Done_FreeType(library_);
+    if (freetype().FT_Init_FreeType(&library_)) throw std::runtime_error("cannot start FreeType");
+    if (freetype().FT_New_Face(library_, path.c_str(), 0, &face_)) {
+      freetype().FT_Done_FreeType(library_);
       throw std::runtime_error("the font '" + path + "' cannot be read");
     }
   }
   ~Font() {
-    FT_Done_Face(face_);
-    FT_Done_FreeType(library_);
+    freetype().FT_Done_Face(face_);
+    freetype().FT_Done_FreeType(library_);
   }
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
@@ -231,12 +252,12 @@ class Font {
     for (const int platform : unicode ? unicode_order : ascii_order) {
       for (int i = 0; i < face_->num_charmaps; ++i) {
         FT_CharMap map = face_->charmaps[i];
-        const FT_Long format = FT_Get_CMap_Format(map);
+        const FT_Long format = freetype().FT_Get_CMap_Format(map);
         if (map->platform_id != platform || (format != 0 && format != 4 && format != 6)) continue;
-        FT_Set_Charmap(face_, map);
-        FT_UInt glyph = FT_Get_Char_Index(face_, character);
+        freetype().FT_Set_Charmap(face_, map);
+        FT_UInt glyph = freetype().FT_Get_Char_Index(face_, character);
         if (!glyph && format == 4 && character < 256)
-          glyph = FT_Get_Char_Index(face_, character + 0xF000u);
+          glyph = freetype().FT_Get_Char_Index(face_, character + 0xF000u);
         return glyph;
       }
     }
@@ -244,13 +265,13 @@ class Font {
   }
 
   FT_GlyphSlot load(FT_UInt glyph) {
-    if (FT_Load_Glyph(face_, glyph, FT_LOAD_NO_SCALE)) return nullptr;
+    if (freetype().FT_Load_Glyph(face_, glyph, FT_LOAD_NO_SCALE)) return nullptr;
     return face_->glyph;
   }
   double unit() const { return 1.0 / face_->units_per_EM; }
   Vec2 kerning(FT_UInt left, FT_UInt right) {
     FT_Vector kern{};
-    if (FT_HAS_KERNING(face_)) FT_Get_Kerning(face_, left, right, FT_KERNING_UNSCALED, &kern);
+    if (FT_HAS_KERNING(face_)) freetype().FT_Get_Kerning(face_, left, right, FT_KERNING_UNSCALED, &kern);
     return unit() * Vec2(static_cast<double>(kern.x), static_cast<double>(kern.y));
   }
 

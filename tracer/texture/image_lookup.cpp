@@ -38,9 +38,10 @@ class MaterialSelector final : public TextureSelector {
   MaterialSelector(const TextureNode& node,
                    std::vector<std::shared_ptr<const CompiledTexture>> materials,
                    const TextureSettings& settings)
-      : warps_(chain_with_slot(node.pattern)),
-        sampler_(settings.patterns.images->get(*node.pattern->image, ImageUse::raw),
-                 *node.pattern->image),
+      : TextureSelector(node),
+        warps_(chain_with_slot(node.choice->pattern)),
+        sampler_(settings.patterns.images->get(*node.choice->pattern.image, ImageUse::raw),
+                 *node.choice->pattern.image),
         materials_(std::move(materials)) {}
 
   int select(const Vec3& point, const TextureContext&, Vec3& child_point,
@@ -68,9 +69,9 @@ class MaterialSelector final : public TextureSelector {
 
 }  // namespace
 
-std::shared_ptr<const CompiledPigment> compile_image_pigment(const PigmentNode& node,
+std::unique_ptr<const CompiledPigment> compile_image_pigment(const PigmentNode& node,
                                                              const TextureSettings& settings) {
-  return std::make_shared<ImagePigment>(node, settings);
+  return std::make_unique<ImagePigment>(node, settings);
 }
 
 std::unique_ptr<const TextureSelector> make_material_selector(

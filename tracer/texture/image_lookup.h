@@ -6,7 +6,7 @@
 namespace durer {
 
 // Both throw std::runtime_error with a text for the user if the image cannot be read.
-std::shared_ptr<const CompiledPigment> compile_image_pigment(const PigmentNode& node,
+std::unique_ptr<const CompiledPigment> compile_image_pigment(const PigmentNode& node,
                                                              const TextureSettings& settings);
 std::unique_ptr<const TextureSelector> make_material_selector(
     const TextureNode& node, std::vector<std::shared_ptr<const CompiledTexture>> materials,

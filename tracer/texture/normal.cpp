@@ -321,20 +321,20 @@ class UvNormal : public CompiledNormal {
 
 }  // namespace
 
-std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
+std::unique_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
                                                      const TextureSettings& outer) {
   TextureSettings settings = outer;
   settings.no_bump_scale = outer.no_bump_scale || node.no_bump_scale;
   switch (node.pattern->kind) {
     case PatternKind::uv_mapping:
-      return std::make_shared<UvNormal>(compile_normal(*node.inner, settings));
+      return std::make_unique<UvNormal>(compile_normal(*node.inner, settings));
     case PatternKind::average:
-      return std::make_shared<AverageNormal>(node, settings);
+      return std::make_unique<AverageNormal>(node, settings);
     case PatternKind::bump_map:
-      return std::make_shared<BumpMapNormal>(node, settings);
+      return std::make_unique<BumpMapNormal>(node, settings);
     default:
-      if (node.normal_map) return std::make_shared<MappedNormal>(node, settings);
-      return std::make_shared<PatternNormal>(node, settings);
+      if (node.normal_map) return std::make_unique<MappedNormal>(node, settings);
+      return std::make_unique<PatternNormal>(node, settings);
   }
 }
 

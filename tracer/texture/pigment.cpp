@@ -33,7 +33,8 @@ class ColorMapPigment : public CompiledPigment {
  public:
   ColorMapPigment(const PigmentNode& node, const PatternSettings& settings)
       : pattern_(node.pattern, settings),
-        entries_((node.color_map ? *node.color_map : default_color_map(node.pattern)).entries) {}
+        entries_((node.maps->color_map ? *node.maps->color_map : default_color_map(node.pattern))
+                     .entries) {}
 
   bool evaluate(const Vec3& point, const TextureContext& context,
                 ColorRGBFT& color) const override {
@@ -75,7 +76,7 @@ class PigmentMapPigment : public CompiledPigment {
  public:
   PigmentMapPigment(const PigmentNode& node, const TextureSettings& settings)
       : pattern_(node.pattern, settings.patterns),
-        entries_(compile_entries(*node.pigment_map, settings)) {}
+        entries_(compile_entries(*node.maps->pigment_map, settings)) {}
 
   bool evaluate(const Vec3& point, const TextureContext& context,
                 ColorRGBFT& color) const override {
@@ -99,7 +100,8 @@ class PigmentMapPigment : public CompiledPigment {
 class AveragePigment : public CompiledPigment {
  public:
   AveragePigment(const PigmentNode& node, const TextureSettings& settings)
-      : warps_(chain_with_slot(node.pattern)), entries_(compile_entries(*node.pigment_map, settings)) {}
+      : warps_(chain_with_slot(node.pattern)),
+        entries_(compile_entries(*node.maps->pigment_map, settings)) {}
 
   bool evaluate(const Vec3& point, const TextureContext& context,
                 ColorRGBFT& color) const override {
@@ -137,26 +139,26 @@ class UvPigment : public CompiledPigment {
 
 }  // namespace
 
-std::shared_ptr<const CompiledPigment> compile_pigment(const PigmentNode& node,
+std::unique_ptr<const CompiledPigment> compile_pigment(const PigmentNode& node,
                                                        const TextureSettings& settings) {
-  if (settings.quality <= 5 && node.quick_color) {
-    const ColorRGBFT& quick = *node.quick_color;
+  if (settings.quality <= 5 && node.quick_color->has_value()) {
+    const ColorRGBFT& quick = **node.quick_color;
     if (quick.red != -1 && quick.green != -1 && quick.blue != -1) {
-      return std::make_shared<SolidPigment>(quick);
+      return std::make_unique<SolidPigment>(quick);
     }
   }
   switch (node.pattern->kind) {
     case PatternKind::none:
-      return std::make_shared<SolidPigment>(node.color);
+      return std::make_unique<SolidPigment>(node.color);
     case PatternKind::uv_mapping:
-      return std::make_shared<UvPigment>(compile_pigment(*node.inner, settings));
+      return std::make_unique<UvPigment>(compile_pigment(*node.maps->inner, settings));
     case PatternKind::average:
-      return std::make_shared<AveragePigment>(node, settings);
+      return std::make_unique<AveragePigment>(node, settings);
     case PatternKind::image_map:
       return compile_image_pigment(node, settings);
     default:
-      if (node.pigment_map) return std::make_shared<PigmentMapPigment>(node, settings);
-      return std::make_shared<ColorMapPigment>(node, settings.patterns);
+      if (node.maps->pigment_map) return std::make_unique<PigmentMapPigment>(node, settings);
+      return std::make_unique<ColorMapPigment>(node, settings.patterns);
   }
 }
 

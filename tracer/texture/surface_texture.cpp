@@ -14,7 +14,8 @@ using TextureEntry = MapEntry<std::shared_ptr<const CompiledTexture>>;
 std::vector<TextureEntry> compile_entries(const TextureMap& map, const TextureSettings& settings) {
   std::vector<TextureEntry> entries;
   for (const auto& entry : map.entries) {
-    entries.push_back({entry.position, compile_texture(*entry.item, settings)});
+    entries.push_back({entry.position, std::make_shared<const CompiledTexture>(
+                                           compile_texture(*entry.item, settings))});
   }
   return entries;
 }
@@ -23,7 +24,9 @@ class MapSelector : public TextureSelector {
  public:
   MapSelector(const TextureNode& node, std::vector<TextureEntry> entries,
               const TextureSettings& settings)
-      : pattern_(node.pattern, settings.patterns), entries_(std::move(entries)) {}
+      : TextureSelector(node),
+        pattern_(node.choice->pattern, settings.patterns),
+        entries_(std::move(entries)) {}
 
   int select(const Vec3& point, const TextureContext& context, Vec3& child_point,
              WeightedTexture out[kMostTextures]) const override {
@@ -47,7 +50,9 @@ class MapSelector : public TextureSelector {
 class AverageSelector : public TextureSelector {
  public:
   AverageSelector(const TextureNode& node, std::vector<TextureEntry> entries)
-      : warps_(chain_with_slot(node.pattern)), entries_(std::move(entries)) {
+      : TextureSelector(node),
+        warps_(chain_with_slot(node.choice->pattern)),
+        entries_(std::move(entries)) {
     for (const TextureEntry& entry : entries_) weights_ += entry.position;
   }
   int select(const Vec3& point, const TextureContext&, Vec3& child_point,
@@ -68,7 +73,8 @@ class AverageSelector : public TextureSelector {
 
 class UvSelector : public TextureSelector {
  public:
-  explicit UvSelector(std::shared_ptr<const CompiledTexture> inner) : inner_(std::move(inner)) {}
+  UvSelector(const TextureNode& node, std::shared_ptr<const CompiledTexture> inner)
+      : TextureSelector(node), inner_(std::move(inner)) {}
   int select(const Vec3&, const TextureContext& context, Vec3& child_point,
              WeightedTexture out[kMostTextures]) const override {
     child_point = {context.uv.x, context.uv.y, 0};
@@ -107,43 +113,40 @@ Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, c
                                                       : context.normal);
 }
 
-std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& node,
-                                                       const TextureSettings& settings) {
-  auto texture = std::make_shared<CompiledTexture>();
-  if (node.kind != TextureNode::Kind::plain) {
-    texture->frame = NormalFrame(node.pattern->warps, node.no_bump_scale);
-  }
+CompiledTexture compile_texture(const TextureNode& node, const TextureSettings& settings) {
+  CompiledTexture texture;
   switch (node.kind) {
     case TextureNode::Kind::plain:
       // From the top layer down.
       for (const TextureNode* layer = &node; layer; layer = layer->below.get()) {
-        texture->layers.push_back(compile_layer(*layer, settings));
+        texture.layers.push_back(compile_layer(*layer, settings));
       }
-      texture->is_opaque =
-          std::any_of(texture->layers.begin(), texture->layers.end(),
+      texture.is_opaque =
+          std::any_of(texture.layers.begin(), texture.layers.end(),
                       [](const TextureLayer& layer) { return layer.pigment->is_opaque(); });
       break;
     case TextureNode::Kind::patterned: {
-      std::vector<TextureEntry> entries = compile_entries(*node.texture_map, settings);
-      texture->is_opaque = std::all_of(entries.begin(), entries.end(), [](const TextureEntry& e) {
+      std::vector<TextureEntry> entries = compile_entries(*node.choice->map, settings);
+      texture.is_opaque = std::all_of(entries.begin(), entries.end(), [](const TextureEntry& e) {
         return e.item->is_opaque;
       });
-      if (node.pattern->kind == PatternKind::average) {
-        texture->selector = std::make_unique<AverageSelector>(node, std::move(entries));
-      } else if (node.pattern->kind == PatternKind::uv_mapping) {
-        texture->selector = std::make_unique<UvSelector>(entries.front().item);
+      if (node.choice->pattern.kind == PatternKind::average) {
+        texture.selector = std::make_unique<AverageSelector>(node, std::move(entries));
+      } else if (node.choice->pattern.kind == PatternKind::uv_mapping) {
+        texture.selector = std::make_unique<UvSelector>(node, entries.front().item);
       } else {
-        texture->selector = std::make_unique<MapSelector>(node, std::move(entries), settings);
+        texture.selector = std::make_unique<MapSelector>(node, std::move(entries), settings);
       }
       break;
     }
     case TextureNode::Kind::material_map: {
       std::vector<std::shared_ptr<const CompiledTexture>> materials;
-      for (const auto& material : node.materials) {
-        materials.push_back(compile_texture(*material, settings));
-        texture->is_opaque = texture->is_opaque && materials.back()->is_opaque;
+      for (const auto& material : node.choice->materials) {
+        materials.push_back(
+            std::make_shared<const CompiledTexture>(compile_texture(*material, settings)));
+        texture.is_opaque = texture.is_opaque && materials.back()->is_opaque;
       }
-      texture->selector = make_material_selector(node, std::move(materials), settings);
+      texture.selector = make_material_selector(node, std::move(materials), settings);
       break;
     }
   }

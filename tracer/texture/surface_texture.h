@@ -42,8 +42,8 @@ class CompiledNormal {
 };
 
 struct TextureLayer {
-  std::shared_ptr<const CompiledPigment> pigment;
-  std::shared_ptr<const CompiledNormal> normal;  // null: none
+  std::unique_ptr<const CompiledPigment> pigment;
+  std::unique_ptr<const CompiledNormal> normal;  // null: none
   std::shared_ptr<const FinishNode> finish;      // never null
   bool normal_keeps_length = false;              // no_bump_scale: perturb() gives any length
   float highlight_exponent = 20;  // 1/roughness
@@ -64,17 +64,20 @@ class TextureSelector {
  public:
   static constexpr int kMostTextures = 256;  // entries of a map (spec/textures.md 10)
 
+  explicit TextureSelector(const TextureNode& node)
+      : frame(node.choice->pattern.warps, node.no_bump_scale) {}
   virtual ~TextureSelector() = default;
   // Writes the textures to blend (weights sum to 1) and the point at which they are looked up.
   virtual int select(const Vec3& point, const TextureContext& context, Vec3& child_point,
                      WeightedTexture out[kMostTextures]) const = 0;
+
+  const NormalFrame frame;
 };
 
 // Plain: layers from the top down. Else: a selector over further textures.
 struct CompiledTexture {
   std::vector<TextureLayer> layers;
   std::unique_ptr<const TextureSelector> selector;
-  NormalFrame frame;  // of the selector
   bool is_opaque = true;
 };
 
@@ -85,11 +88,10 @@ Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, c
                   TextureContext& context);
 
 // Compiles a texture; what cannot be rendered yet is reported through NotSupported.
-std::shared_ptr<const CompiledTexture> compile_texture(const TextureNode& texture,
+CompiledTexture compile_texture(const TextureNode& texture, const TextureSettings& settings);
+std::unique_ptr<const CompiledPigment> compile_pigment(const PigmentNode& pigment,
                                                        const TextureSettings& settings);
-std::shared_ptr<const CompiledPigment> compile_pigment(const PigmentNode& pigment,
-                                                       const TextureSettings& settings);
-std::shared_ptr<const CompiledNormal> compile_normal(const NormalNode& normal,
+std::unique_ptr<const CompiledNormal> compile_normal(const NormalNode& normal,
                                                      const TextureSettings& settings);
 
 }  // namespace durer

@@ -36,7 +36,7 @@ std::shared_ptr<const ObjectQuery> ObjectQuery::build(const ObjectPtr& object,
   Impl& impl = *query->impl_;
   ObjectResolver resolver(effective_version);
   const ResolvedObject resolved = resolver.resolve(object);
-  WorldBuilder builder(impl.data, {}, nullptr);
+  WorldBuilder builder(impl.data, {}, nullptr, {});
   impl.node = builder.add_bare(resolved);
   impl.box = resolved.box;
   impl.extents = is_unbounded_by_light(resolved) ? FloatBox() : resolved.box;

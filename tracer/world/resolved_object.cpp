@@ -19,8 +19,8 @@ void clip_to_half_space(Bounds& box, const ResolvedObject& object) {
   double d = plane.distance();
   if (object.has_transform) {
     // The reference turns the normal the wrong way; pictures depend on it.
-    n = object.transform.forward.transposed_direction(n);
-    const Vec3 back = object.transform.inverse.transposed_direction(n);
+    n = object.transform->forward.transposed_direction(n);
+    const Vec3 back = object.transform->inverse.transposed_direction(n);
     d = d - dot(back, n) + 1;
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -147,7 +147,7 @@ void ResolvedObject::expand() {
 
 void ResolvedObject::move(const Transform& by) {
   if (kind == Kind::copy) {
-    transform = has_transform ? transform.then(by) : by;
+    transform = has_transform ? transform->then(by) : by;
     has_transform = true;
     if (!box.is_infinite()) box = box.transformed(by);
     return;
@@ -159,7 +159,7 @@ void ResolvedObject::move(const Transform& by) {
         if (taken) {
           shape = std::move(taken);
         } else {
-          transform = has_transform ? transform.then(by) : by;
+          transform = has_transform ? transform->then(by) : by;
           has_transform = true;
         }
       }
@@ -346,7 +346,7 @@ ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
   ResolvedObject result;
   const ShapeNode& node = *object.shape;
   if (const auto* csg = std::get_if<CsgNode>(&node)) return resolve_csg(*csg);
-  if (const auto* text = std::get_if<TextNode>(&node)) return resolve_text(*text);
+  if (const auto* text = std::get_if<Rare<TextNode>>(&node)) return resolve_text(*text);
   if (const auto* light = std::get_if<std::shared_ptr<const LightNode>>(&node)) {
     result.kind = ResolvedObject::Kind::light;
     result.light = *light;
@@ -366,7 +366,7 @@ ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
   result.has_transform = placed.has_transform;
   result.transform = placed.transform;
   result.is_plane = std::holds_alternative<PlaneNode>(node);
-  result.is_quadric = std::holds_alternative<QuadricNode>(node);
+  result.is_quadric = std::holds_alternative<Rare<QuadricNode>>(node);
   result.is_height_field = std::holds_alternative<HeightFieldNode>(node);
   if (!result.shape) return result;
   if (result.is_quadric) {
@@ -455,7 +455,7 @@ ResolvedObject ObjectResolver::resolve_text(const TextNode& node) {
     if (!glyph.shape) continue;
     ResolvedObject member;
     member.shape = glyph.shape;
-    member.shape_kind = static_cast<uint8_t>(ShapeNode(std::in_place_type<TextNode>).index());
+    member.shape_kind = static_cast<uint8_t>(ShapeNode(std::in_place_type<Rare<TextNode>>).index());
     member.is_csg_child = true;
     member.move(Transform::translation(glyph.offset));
     result.children.push_back(std::move(member));
@@ -483,12 +483,12 @@ void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier, boo
     object.interior_moved = false;
   } else if (const auto* add = std::get_if<AddBounds>(&modifier)) {
     auto& list = object.bounds_are_clips ? object.clips : object.bounds;
-    for (const ObjectPtr& bound : add->objects) {
+    for (const ObjectPtr& bound : *add->objects) {
       list.push_back(resolve(bound));
       list.back().expand();
     }
   } else if (const auto* clips = std::get_if<AddClips>(&modifier)) {
-    for (const ObjectPtr& clip : clips->objects) {
+    for (const ObjectPtr& clip : *clips->objects) {
       object.clips.push_back(resolve(clip));
       object.clips.back().expand();
     }

@@ -36,7 +36,7 @@ struct ResolvedObject {
   const ShapeNode* written = nullptr;  // its statement
   bool is_plane = false, is_quadric = false, is_height_field = false;
   bool has_transform = false;
-  Transform transform;
+  Rare<Transform> transform;
   bool inverted = false;
 
   // csg

@@ -16,9 +16,9 @@ bool needs_uv(const PatternNode& pattern);
 
 bool needs_uv(const PigmentNode* pigment) {
   if (!pigment) return false;
-  if (needs_uv(pigment->pattern) || needs_uv(pigment->inner.get())) return true;
-  if (pigment->pigment_map) {
-    for (const auto& entry : pigment->pigment_map->entries) {
+  if (needs_uv(pigment->pattern) || needs_uv(pigment->maps->inner.get())) return true;
+  if (pigment->maps->pigment_map) {
+    for (const auto& entry : pigment->maps->pigment_map->entries) {
       if (needs_uv(entry.item.get())) return true;
     }
   }
@@ -42,16 +42,17 @@ bool needs_uv(const PatternNode& pattern) {
 
 bool needs_uv(const TextureNode& texture) {
   for (const TextureNode* layer = &texture; layer; layer = layer->below.get()) {
-    if (needs_uv(layer->pattern) || needs_uv(layer->pigment.get()) ||
+    if (needs_uv(layer->choice->pattern) || needs_uv(layer->pigment.get()) ||
         needs_uv(layer->normal.get())) {
       return true;
     }
-    if (layer->texture_map) {
-      for (const auto& entry : layer->texture_map->entries) {
+    const TextureChoice& choice = *layer->choice;
+    if (choice.map) {
+      for (const auto& entry : choice.map->entries) {
         if (entry.item && needs_uv(*entry.item)) return true;
       }
     }
-    for (const TexturePtr& material : layer->materials) {
+    for (const TexturePtr& material : choice.materials) {
       if (material && needs_uv(*material)) return true;
     }
   }
@@ -60,24 +61,22 @@ bool needs_uv(const TextureNode& texture) {
 
 }  // namespace
 
-uint32_t TextureTable::add(const TexturePtr& texture) {
-  textures_.push_back(texture);
-  uses_uv_.push_back(needs_uv(*texture));
+uint32_t TextureTable::add(const TextureNode& texture) {
+  textures_.push_back(compile_texture(texture, settings_));
+  uses_uv_.push_back(needs_uv(texture));
   return static_cast<uint32_t>(textures_.size() - 1);
-}
-
-std::vector<TexturePtr> TextureTable::take() {
-  unmoved_ = {};
-  moved_ = {};
-  kept_ = {};
-  return std::exchange(textures_, {});
 }
 
 uint32_t TextureTable::index_of(const MovedTexture& texture) {
   const TextureNode* node = texture.texture.get();
   if (!texture.moved || looks_the_same_everywhere(*node)) {
+    // Nobody else has it, so nobody will ask for it again.
+    if (texture.texture.use_count() == 1) return add(*node);
     const auto [place, is_new] = unmoved_.try_emplace(node, 0);
-    if (is_new) place->second = add(texture.texture);
+    if (is_new) {
+      kept_.push_back(texture.texture);
+      place->second = add(*node);
+    }
     return place->second;
   }
   Placement placement{};
@@ -87,7 +86,7 @@ uint32_t TextureTable::index_of(const MovedTexture& texture) {
   const auto [place, is_new] = moved_.try_emplace({node, placement}, 0);
   if (is_new) {
     kept_.push_back(texture.texture);
-    place->second = add(transformed(texture.texture, texture.transform));
+    place->second = add(*transformed(texture.texture, texture.transform));
   }
   return place->second;
 }

@@ -239,7 +239,6 @@ bool found(const ClosestSearch& search, Hit& hit) {
 
 struct World::Impl {
   WorldData data;
-  std::vector<bool> opaque_textures;
 
   bool is_opaque_object(uint32_t node) const;
   bool is_loose_union(uint32_t node) const;
@@ -258,24 +257,29 @@ ShapeTestCounts take_shape_tests() {
 World::World() : impl_(std::make_unique<Impl>()) {}
 World::~World() = default;
 
-std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& options) {
-  return build(scene, scene.objects, options);
+std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& options,
+                                    const TextureSettings& textures) {
+  return build(scene, scene.objects, options, textures);
 }
 
 std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> objects,
-                                    const WorldOptions& options) {
+                                    const WorldOptions& options,
+                                    const TextureSettings& textures) {
   std::unique_ptr<World> world(new World);
   WorldData& data = world->impl_->data;
-  WorldBuilder builder(data, options, scene.default_texture);
+  WorldBuilder builder(data, options, scene.default_texture, textures);
   ObjectResolver resolver(scene.effective_version);
   resolver.find_shared(objects);
   builder.expect(objects.size());
   for (ObjectPtr& object : objects) {
-    builder.add_top_level(resolver.resolve(object));
+    ResolvedObject resolved = resolver.resolve(object);
     object.reset();
+    builder.add_top_level(std::move(resolved));
   }
   builder.resolve_projected(resolver);
   builder.finish();
+  for (const auto& group : data.groups) world->impl_->mark_opaque(group->set);
+  world->impl_->mark_opaque(data.scene);
   return world;
 }
 
@@ -398,7 +402,7 @@ bool World::Impl::is_opaque_object(uint32_t index) const {
   const WorldObject& object = data.objects[node.object];
   const NodeAppearance& appearance = data.appearance[index];
   const auto lets_light_through = [&](uint32_t texture) {
-    return texture != kNoTexture && !opaque_textures[texture];
+    return texture != kNoTexture && !data.textures[texture].is_opaque;
   };
   if (lets_light_through(object.texture) || lets_light_through(object.interior_texture)) {
     return false;
@@ -469,12 +473,6 @@ void World::Impl::mark_opaque(ObjectSet& set) const {
   list(false, set.clear);
 }
 
-void World::set_opaque_textures(std::vector<bool> opaque) {
-  impl_->opaque_textures = std::move(opaque);
-  for (const auto& group : impl_->data.groups) impl_->mark_opaque(group->set);
-  impl_->mark_opaque(impl_->data.scene);
-}
-
 bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
                                int light) const {
   const WorldData& data = impl_->data;
@@ -537,7 +535,7 @@ int World::containing_interiors(const Vec3& point, int* interiors, int capacity)
   return impl_->containing(impl_->data.scene, point, 0, 0, interiors, capacity);
 }
 
-std::vector<TexturePtr> World::take_textures() { return impl_->data.textures.take(); }
+const std::vector<CompiledTexture>& World::textures() const { return impl_->data.textures; }
 const InteriorTable& World::interiors() const { return impl_->data.interiors; }
 const std::vector<IndirectSettings>& World::indirect_settings() const {
   return impl_->data.indirect;

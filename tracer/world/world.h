@@ -9,6 +9,7 @@
 
 #include "tracer/scene/scene.h"
 #include "tracer/shapes/shape_tests.h"
+#include "tracer/texture/surface_texture.h"
 
 namespace durer {
 
@@ -41,7 +42,7 @@ struct IndirectSettings {
 
 // What a surface is made of, by index. One per primitive and copy.
 struct WorldObject {
-  uint32_t texture = kNoTexture;           // index into World::take_textures()
+  uint32_t texture = kNoTexture;           // index into World::textures()
   uint32_t interior_texture = kNoTexture;  // used where the ray leaves
   int interior = 0;                        // index into World::interiors()
   int light_group = -1;                    // innermost light group, -1: none
@@ -87,7 +88,7 @@ class InteriorTable {
 };
 
 struct TextureShare {
-  uint32_t texture;  // index into World::take_textures()
+  uint32_t texture;  // index into World::textures()
   float weight;
 };
 
@@ -124,11 +125,13 @@ struct WorldOptions {
 
 class World {
  public:
-  // Throws NotSupported (tracer/scene/not_supported.h).
-  static std::unique_ptr<World> build(const Scene& scene, const WorldOptions& options);
-  // The same of these objects instead of the scene's; each is let go once it is in the world.
+  // Throws NotSupported (tracer/scene/not_supported.h). Textures are compiled with the settings.
+  static std::unique_ptr<World> build(const Scene& scene, const WorldOptions& options,
+                                      const TextureSettings& textures = {});
+  // The same of these objects instead of the scene's; each is let go on its way into the world.
   static std::unique_ptr<World> build(const Scene& scene, std::vector<ObjectPtr> objects,
-                                      const WorldOptions& options);
+                                      const WorldOptions& options,
+                                      const TextureSettings& textures);
   ~World();
 
   // The nearest hit with 1e-4 <= t < max_t among what this kind of ray sees (geometry.md 2).
@@ -136,8 +139,7 @@ class World {
                    double max_t, Hit& hit) const;
   void surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
                      SurfacePoint& out) const;
-  // True if an object whose textures are all opaque (see set_opaque_textures) and which casts
-  // shadows lies at 1e-3 < t < max_t. Objects that let light through: closest_clear_hit.
+  // True if an object whose textures are all opaque and which casts shadows lies at 1e-3 < t < max_t. Objects that let light through: closest_clear_hit.
   // `light`: a hint, rays towards one light are often stopped by one object.
   bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
                           int light) const;
@@ -153,14 +155,11 @@ class World {
   // Writes at most `capacity` indices and returns their count.
   int containing_interiors(const Vec3& point, int* interiors, int capacity) const;
 
-  // The textures by index, for the one who compiles them: once.
-  std::vector<TexturePtr> take_textures();
+  const std::vector<CompiledTexture>& textures() const;
   const InteriorTable& interiors() const;
   const std::vector<IndirectSettings>& indirect_settings() const;
   const std::vector<WorldLight>& lights() const;
   const std::vector<LightGroup>& light_groups() const;
-  // Set once before rendering, by texture index: whether it can let light through.
-  void set_opaque_textures(std::vector<bool> opaque);
   // Box of all bounded objects.
   Bounds bounds() const;
 

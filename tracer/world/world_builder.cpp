@@ -120,10 +120,11 @@ int InteriorTable::add_copy(int number) {
 }
 
 WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options,
-                           TexturePtr default_texture)
+                           TexturePtr default_texture, const TextureSettings& textures)
     : data_(data),
       options_(options),
       default_texture_(std::move(default_texture)),
+      textures_(data.textures, textures),
       set_(&data.scene) {
   if (!default_texture_) default_texture_ = std::make_shared<const TextureNode>();
 }
@@ -137,7 +138,6 @@ uint32_t WorldBuilder::new_node() {
 void WorldBuilder::expect(size_t objects) {
   data_.geometry.nodes.reserve(objects);
   data_.appearance.reserve(objects);
-  data_.textures.expect(objects);
   data_.objects.reserve(objects);
   data_.scene.objects.reserve(objects);
 }
@@ -171,14 +171,14 @@ uint32_t WorldBuilder::group_of(const std::shared_ptr<const ResolvedObject>& ori
 void WorldBuilder::add_instance(const ResolvedObject& copy) {
   const uint32_t index = group_of(copy.original);
   const SharedGroup& group = *data_.groups[index];
-  Instance instance{index, copy.has_transform ? copy.transform : Transform(),
+  Instance instance{index, copy.has_transform ? *copy.transform : Transform(),
                     static_cast<uint32_t>(data_.objects.size())};
   std::unordered_map<int, int> interiors;
   for (uint32_t i = 0; i < group.object_count; ++i) {
     WorldObject object = data_.objects[group.first_object + i];
     const auto moved = [&](MovedTexture texture) {
       if (!object.uv_mapping) texture.move(instance.transform);
-      return data_.textures.index_of(texture);
+      return textures_.index_of(texture);
     };
     if (group.textures[i]) object.texture = moved(group.textures[i]);
     if (group.interior_textures[i]) object.interior_texture = moved(group.interior_textures[i]);
@@ -217,7 +217,7 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
   }
   // Unneeded bounds go (their box stays).
   const bool keeps_bounds = object.kind == ResolvedObject::Kind::csg ||
-                            is_shape_of<PolyNode>(object) || is_shape_of<TextNode>(object) ||
+                            is_shape_of<PolyNode>(object) || is_shape_of<Rare<TextNode>>(object) ||
                             (object.is_quadric && !object.box_from_quadric);
   if (options_.remove_bounds && !keeps_bounds) {
     object.bounds.clear();
@@ -430,9 +430,9 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
 
   // Materials.
   WorldObject material;
-  if (object.texture) material.texture = data_.textures.index_of(object.texture);
+  if (object.texture) material.texture = textures_.index_of(object.texture);
   if (object.interior_texture) {
-    material.interior_texture = data_.textures.index_of(object.interior_texture);
+    material.interior_texture = textures_.index_of(object.interior_texture);
   }
   material.interior = interior;
   material.light_group = light_group;
@@ -449,16 +449,16 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   appearance.cutaway_root = object.texture ? -1 : filter;
   appearance.needs_uv = object.uv_mapping;
   for (const uint32_t texture : {material.texture, material.interior_texture}) {
-    if (texture != kNoTexture) appearance.needs_uv |= data_.textures.uses_uv(texture);
+    if (texture != kNoTexture) appearance.needs_uv |= textures_.uses_uv(texture);
   }
   if (object.kind == ResolvedObject::Kind::shape && object.shape && object.shape->own_textures()) {
     appearance.own_textures = static_cast<int32_t>(data_.own_texture_ids.size());
     for (const TexturePtr& texture : *object.shape->own_textures()) {
       MovedTexture own{texture, false, {}};
       if (object.has_transform && !object.uv_mapping) own.move(object.transform);
-      const uint32_t id = texture ? data_.textures.index_of(own) : kNoTexture;
+      const uint32_t id = texture ? textures_.index_of(own) : kNoTexture;
       data_.own_texture_ids.push_back(id);
-      if (id != kNoTexture) appearance.needs_uv |= data_.textures.uses_uv(id);
+      if (id != kNoTexture) appearance.needs_uv |= textures_.uses_uv(id);
     }
   }
   data_.appearance[index] = appearance;

@@ -94,7 +94,7 @@ struct WorldData {
   std::vector<WorldLight> lights;
   std::vector<LightGroup> light_groups;
   std::vector<int64_t> projected;  // node of each light's projected_through, -1: none
-  TextureTable textures;
+  std::vector<CompiledTexture> textures;
 };
 
 // Where rays look for an object. Empty: never met; unbounded: met everywhere.
@@ -113,7 +113,8 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
 
 class WorldBuilder {
  public:
-  WorldBuilder(WorldData& data, const WorldOptions& options, TexturePtr default_texture);
+  WorldBuilder(WorldData& data, const WorldOptions& options, TexturePtr default_texture,
+               const TextureSettings& textures);
 
   // Makes room for as many objects at scene level.
   void expect(size_t objects);
@@ -145,6 +146,7 @@ class WorldBuilder {
   WorldData& data_;
   WorldOptions options_;
   TexturePtr default_texture_;
+  TextureTable textures_;
   std::unordered_map<const ResolvedObject*, uint32_t> groups_;
   std::vector<std::shared_ptr<const ResolvedObject>> originals_;
   ObjectSet* set_;                // that top-level objects go to
