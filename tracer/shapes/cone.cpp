@@ -28,22 +28,22 @@ class Cone final : public Shape {
   Bounds bounds() const override { return {{-1, -1, least_z_}, {1, 1, 1}}; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    double scale;
+    double stretch;
     double depth[4];
     Part part[4];
-    const int count = find(ray, scale, depth, part);
-    for (int i = 0; i < count; ++i) out.push(depth[i] * scale, part[i]);
+    const int count = find(ray, stretch, depth, part);
+    for (int i = 0; i < count; ++i) out.push(depth[i] / stretch, part[i]);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
-    double scale;
+    double stretch;
     double depth[4];
     Part part[4];
-    const int count = find(ray, scale, depth, part);
+    const int count = find(ray, stretch, depth, part);
     double best = ray.t_max;
     bool found = false;
     for (int i = count; i-- > 0;) {
-      const double t = depth[i] * scale;
+      const double t = depth[i] / stretch;
       if (t < best && t >= kLeastHitDepth) {
         best = t;
         hit.t = t;
@@ -72,11 +72,11 @@ class Cone final : public Shape {
   }
 
  private:
-  // Depths in normalised local space, `scale` takes them into the world, in the order of the
-  // specification; returns their count.
-  int find(const ShapeRay& ray, double& scale, double* depth, Part* part) const {
-    scale = 1 / length(ray.direction);
-    const Vec3 d = ray.direction * scale;
+  // Depths in normalised local space, `stretch` times those in the world, in the order of the
+  // specification; returns their count. (Each quotient by itself: trace() gives povray's last digits.)
+  int find(const ShapeRay& ray, double& stretch, double* depth, Part* part) const {
+    stretch = length(ray.direction);
+    const Vec3 d = ray.direction * (1 / stretch);
     const Vec3& o = ray.origin;
     int count = 0;
     const auto add = [&](double t, Part which) {
@@ -97,9 +97,8 @@ class Cone final : public Shape {
         // A line that passes by the side passes by the discs, too.
         if (discriminant < 0) return 0;
         const double root = std::sqrt(discriminant);
-        const double inverse = 1 / a;
-        add_side((-b + root) * inverse);
-        add_side((-b - root) * inverse);
+        add_side((-b + root) / a);
+        add_side((-b - root) / a);
       }
     } else {
       const double a = d.x * d.x + d.y * d.y - d.z * d.z;
@@ -111,18 +110,16 @@ class Cone final : public Shape {
         const double discriminant = b * b - a * c;
         if (discriminant >= 0) {
           const double root = std::sqrt(discriminant);
-          const double inverse = 1 / a;
-          add_side((-b - root) * inverse);
-          add_side((-b + root) * inverse);
+          add_side((-b - root) / a);
+          add_side((-b + root) / a);
         } else if (a > 0) {
           return 0;
         }
       }
     }
     if (closed_ && std::abs(d.z) > kGeometryEpsilon) {
-      const double inverse = 1 / d.z;
       const auto add_disc = [&](double z, double radius2, Part which) {
-        const double t = (z - o.z) * inverse;
+        const double t = (z - o.z) / d.z;
         const double x = o.x + t * d.x, y = o.y + t * d.y;
         if (x * x + y * y <= radius2 && t > 1e-9 && t < kGreatestDepth) add(t, which);
       };
