@@ -1,7 +1,9 @@
 """+WT holds in every phase: reading, building with Embree, rendering, images in and out.
 
-Counted are threads that have used processor time. A library that comes along with OpenImageIO
-(log4cplus) starts four when it is loaded, which sleep from their first moment on.
+Counted are threads that have used more than one tick of processor time. A library that comes along
+with OpenImageIO (log4cplus) starts four when it is loaded, which sleep from their first moment on, and
+OpenImageIO's pool one that ends after two milliseconds, when it is told the limit: the kernel's clock
+may charge it a whole tick.
 """
 import os
 import subprocess
@@ -54,7 +56,7 @@ class Threads(RenderCase):
                 for task in os.listdir(f"/proc/{run.pid}/task"):
                     with open(f"/proc/{run.pid}/task/{task}/stat") as status:
                         fields = status.read().rsplit(")", 1)[1].split()
-                    working += int(fields[11]) + int(fields[12]) > 0
+                    working += int(fields[11]) + int(fields[12]) > 1
                 samples += 1
             except (FileNotFoundError, ProcessLookupError):
                 pass

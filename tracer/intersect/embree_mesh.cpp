@@ -38,7 +38,11 @@ const Embree& embree() {
 // Without a number of threads: Embree would limit oneTBB for the whole program to it, rendering
 // included, as long as the device lives.
 struct Device {
-  RTCDevice device = embree().rtcNewDevice("set_affinity=0");
+  Device() {
+    enforce_thread_limit();
+    device = embree().rtcNewDevice("set_affinity=0");
+  }
+  RTCDevice device;
   ~Device() { embree().rtcReleaseDevice(device); }
 };
 
