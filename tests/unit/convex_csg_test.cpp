@@ -1,4 +1,4 @@
-// The sweep over convex members against the general way, which a member that is a union asks for.
+// The sweep over convex solids against the general way, which a member that is not convex asks for.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +11,7 @@ namespace durer {
 namespace {
 
 // Contains all points that rays of this test pass; its surface is far away.
-const char* const kEverything = "union { sphere { 0, 1000 } sphere { x, 1000 } } ";
+const char* const kEverything = "union { sphere { 0, 1000 } torus { 5000, 1 } } ";
 
 std::string number(double value) { return std::to_string(value); }
 
@@ -30,6 +30,14 @@ class RandomMembers {
     if (random_() % 3 == 0) text += " scale <1, " + number(size()) + ", 1>";
     if (random_() % 3 == 0) text += " inverse";
     return text + " } ";
+  }
+  // A CSG of two or three parts, nested as deep.
+  std::string tree(int depth) {
+    if (depth == 0) return next();
+    static const char* const kKinds[] = {"union", "merge", "intersection", "difference"};
+    std::string text = std::string(kKinds[random_() % 4]) + " { ";
+    for (uint32_t i = 2 + random_() % 2; i > 0; --i) text += tree(random_() % 4 ? depth - 1 : 0);
+    return text + (random_() % 5 ? "} " : "inverse } ");
   }
   Vec3 vector() { return {uniform_(random_), uniform_(random_), uniform_(random_)}; }
 
@@ -50,30 +58,46 @@ std::shared_ptr<const ObjectQuery> query_of(const std::string& statement) {
   return parsed.scene ? ObjectQuery::build(parsed.scene->objects.front(), 370) : nullptr;
 }
 
+// Returns how many rays met the CSG.
+int compare_ways(RandomMembers& random, const std::string& members) {
+  const auto swept = query_of("intersection { " + members + "}");
+  const auto general = query_of("intersection { " + members + kEverything + "}");
+  if (!swept || !general) return 0;
+  int met = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 direction = normalize_or_zero(random.vector());
+    // From outside, and from among the members.
+    const Vec3 origin = random.vector() - (i % 2 ? 5.0 : 0.0) * direction;
+    Vec3 p, n, q, m;
+    const bool hit = swept->trace(origin, direction, p, n) && length(p) < 500;
+    const bool expected = general->trace(origin, direction, q, m) && length(q) < 500;
+    EXPECT_EQ(hit, expected) << members;
+    if (!hit || !expected) continue;
+    ++met;
+    EXPECT_EQ(p, q) << members;
+    EXPECT_EQ(n, m) << members;
+  }
+  return met;
+}
+
 TEST(ConvexCsg, SweptAsInTheGeneralWay) {
   RandomMembers random;
   int met = 0;
   for (int scene = 0; scene < 150; ++scene) {
     std::string members;
     for (int i = 0; i < 2 + scene % 5; ++i) members += random.next();
-    const auto swept = query_of("intersection { " + members + "}");
-    const auto general = query_of("intersection { " + members + kEverything + "}");
-    ASSERT_TRUE(swept && general);
-    for (int i = 0; i < 200; ++i) {
-      const Vec3 direction = normalize_or_zero(random.vector());
-      // From outside, and from among the members.
-      const Vec3 origin = random.vector() - (i % 2 ? 5.0 : 0.0) * direction;
-      Vec3 p, n, q, m;
-      const bool hit = swept->trace(origin, direction, p, n) && length(p) < 500;
-      const bool expected = general->trace(origin, direction, q, m) && length(q) < 500;
-      ASSERT_EQ(hit, expected) << members;
-      if (!hit) continue;
-      ++met;
-      EXPECT_EQ(p, q) << members;
-      EXPECT_EQ(n, m) << members;
-    }
+    met += compare_ways(random, members);
   }
   EXPECT_GT(met, 4000);
+}
+
+TEST(ConvexCsg, NestedOnesSweptAsInTheGeneralWay) {
+  RandomMembers random;
+  int met = 0;
+  for (int scene = 0; scene < 300; ++scene) {
+    met += compare_ways(random, random.tree(1 + scene % 2) + random.tree(scene % 3));
+  }
+  EXPECT_GT(met, 8000);
 }
 
 TEST(ConvexCsg, CoincidentFacesFollowTheInsideRules) {
