@@ -30,10 +30,7 @@ struct Fontconfig {
   DURER_IMPORT(FcFontMatch);
 };
 
-const Fontconfig& fontconfig() {
-  static const Fontconfig loaded;
-  return loaded;
-}
+const Fontconfig& fontconfig() { return loaded<Fontconfig>(); }
 
 struct PatternDeleter {
   void operator()(FcPattern* pattern) const { fontconfig().FcPatternDestroy(pattern); }

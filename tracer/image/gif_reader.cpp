@@ -16,10 +16,7 @@ struct Gif {
   DURER_IMPORT(DGifCloseFile);
 };
 
-const Gif& giflib() {
-  static const Gif loaded;
-  return loaded;
-}
+const Gif& giflib() { return loaded<Gif>(); }
 
 }  // namespace
 

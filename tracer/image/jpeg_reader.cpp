@@ -24,10 +24,7 @@ struct Jpeg {
   DURER_IMPORT(jpeg_finish_decompress);
 };
 
-const Jpeg& libjpeg() {
-  static const Jpeg loaded;
-  return loaded;
-}
+const Jpeg& libjpeg() { return loaded<Jpeg>(); }
 
 struct ErrorHandler {
   jpeg_error_mgr base;  // first: libjpeg hands back a pointer to it

@@ -30,10 +30,7 @@ struct Embree {
   DURER_IMPORT(rtcIntersect1);
 };
 
-const Embree& embree() {
-  static const Embree loaded;
-  return loaded;
-}
+const Embree& embree() { return loaded<Embree>(); }
 
 // Without a number of threads: Embree would limit oneTBB for the whole program to it, rendering
 // included, as long as the device lives.

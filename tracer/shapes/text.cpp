@@ -163,10 +163,7 @@ struct FreeType {
   DURER_IMPORT(FT_Outline_Decompose);
 };
 
-const FreeType& freetype() {
-  static const FreeType loaded;
-  return loaded;
-}
+const FreeType& freetype() { return loaded<FreeType>(); }
 
 // Collects what FreeType takes apart; coordinates in em.
 struct OutlineBuilder {

@@ -22,6 +22,13 @@ class SharedLibrary {
   void* handle_;
 };
 
+// A table of what is used of one library, loaded when it is first asked for.
+template <typename Table>
+const Table& loaded() {
+  static const Table table;
+  return table;
+}
+
 // Declares a member of the name and type that a function has in the library's header, for tables of
 // what is used of a library: struct Jpeg { SharedLibrary library{...}; DURER_IMPORT(jpeg_read_header); };
 #define DURER_IMPORT(function) \
