@@ -76,7 +76,7 @@ void parse_fractal(Parser& parser, PatternNode& node, bool julia) {
     parser.accept_comma();
   }
   node.fractal.iterations = parser.parse_int();
-  if (node.fractal.iterations < 0) parser.error("a fractal needs at least one iteration");
+  if (node.fractal.iterations < 0) parser.error("the iterations of a fractal cannot be negative");
   // A buffer size of very old scenes.
   if (parser.accept_comma()) parser.parse_optional_float(0);
 }
