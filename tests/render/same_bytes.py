@@ -1,9 +1,11 @@
 #!/usr/bin/python3
-"""The same bytes on 1, 2 and 7 threads, and in four windows put together (design.md rule 4).
+"""The same bytes and counts on 1, 2 and 7 threads, and the same bytes in four windows put together
+(design.md rule 4).
 
 same_bytes.py DURER SCENES_FOLDER: renders scenes of the gallery with the settings below; exit code 1
 and a line for each picture that differs.
 """
+import json
 import subprocess
 import sys
 import tempfile
@@ -37,11 +39,14 @@ WINDOWS = ((1, 37, 1, 41), (38, 90, 1, 41), (1, 37, 42, 70), (38, 90, 42, 70))
 
 
 def render(durer, scene, options, picture):
-    run = subprocess.run([durer, scene.name, f"+O{picture}", "+FN16", "-GA", *SIZE, *options],
-                         cwd=scene.parent, capture_output=True, text=True)
+    """The picture's bytes, and how many samples, rays and tests of shapes it took."""
+    counts = picture.with_suffix(".json")
+    run = subprocess.run([durer, scene.name, f"+O{picture}", "+FN16", "-GA", "--stats", str(counts),
+                          *SIZE, *options], cwd=scene.parent, capture_output=True, text=True)
     if run.returncode != 0:
         raise SystemExit(f"{scene}: durer ends with {run.returncode}\n{run.stderr}")
-    return picture.read_bytes()
+    frame = json.loads(counts.read_text())["frames"][0]
+    return picture.read_bytes(), [frame[key] for key in ("samples", "rays", "shape_tests")]
 
 
 def pixels(path):
@@ -74,7 +79,7 @@ def main():
                 for threads in (2, 7):
                     if render(durer, scene, (*options, f"+WT{threads}"),
                               Path(folder) / "more.png") != one:
-                        print(f"{name}, {method}: {threads} threads give other bytes than one")
+                        print(f"{name}, {method}: {threads} threads give other bytes or counts than one")
                         failures += 1
                 if not windows_agree(durer, scene, options, Path(folder), pixels(whole)):
                     print(f"{name}, {method}: four windows differ from the whole picture")

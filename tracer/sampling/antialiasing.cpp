@@ -1,5 +1,6 @@
 #include "tracer/sampling/antialiasing.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <vector>
@@ -28,6 +29,22 @@ constexpr double kRounding = 1e-5;
 
 bool inside(const PixelWindow& window, int x, int y) {
   return x >= window.left && x < window.right && y >= window.top && y < window.bottom;
+}
+
+// `count` samples from (x, y) on, one pixel apart, that border a block: the neighbour's, or traced
+// again. Those are not counted, or the counts would depend on which block is finished first.
+std::vector<PixelColor> bordering_samples(const PixelColor* of_neighbour, int count,
+                                          const PixelSampler& sampler, double x, double y,
+                                          const Vec2& step) {
+  if (of_neighbour) return {of_neighbour, of_neighbour + count};
+  std::vector<PixelColor> samples;
+  samples.reserve(static_cast<size_t>(count));
+  RenderStatistics uncounted;
+  for (int i = 0; i < count; ++i) {
+    samples.push_back(sampler.sample(x + i * step.x, y + i * step.y, uncounted));
+  }
+  take_shape_tests();
+  return samples;
 }
 
 }  // namespace
@@ -104,7 +121,7 @@ void render_block_without_antialiasing(const PixelSampler& sampler, const PixelW
 
 void render_block_method1(const PixelSampler& sampler, const SampleContrast& contrast,
                           const RenderOptions& options, const PixelWindow& block,
-                          const PixelWindow& window, Framebuffer& framebuffer,
+                          const PixelWindow& window, EdgeSamples& edges, Framebuffer& framebuffer,
                           RenderStatistics& statistics) {
   const int width = block.right - block.left + 1;  // with the column to the left
   struct Cell {
@@ -134,16 +151,22 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
     if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;
   };
 
-  // The row above and the column to the left only serve comparison.
-  for (int i = 1; i < width; ++i) {
-    above[i] = {sampler.sample(block.left + i - 1, block.top - 1, statistics), true};
-  }
+  // The column to the left and the row above only serve comparison.
+  const std::vector<PixelColor> left =
+      bordering_samples(edges.left_of(block), block.bottom - block.top, sampler, block.left - 1,
+                        block.top, Vec2(0, 1));
+  const std::vector<PixelColor> top = bordering_samples(edges.above(block), width - 1, sampler,
+                                                        block.left, block.top - 1, Vec2(1, 0));
+  for (int i = 1; i < width; ++i) above[i] = {top[i - 1], true};
+  PixelColor *right_edge = edges.right_edge(block), *lower_edge = edges.lower_edge(block);
   for (int y = block.top; y < block.bottom; ++y) {
-    current[0] = {sampler.sample(block.left - 1, y, statistics), true};
+    current[0] = {left[y - block.top], true};
     for (int i = 1; i < width; ++i) {
       const int x = block.left + i - 1;
       Cell& cell = current[i];
       cell = {sampler.sample(x, y, statistics), false};
+      if (x == block.right - 1) *right_edge++ = cell.color;
+      if (y == block.bottom - 1) *lower_edge++ = cell.color;
       if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;
       const bool left_differs = contrast.differ(current[i - 1].color, cell.color);
       const bool top_differs = contrast.differ(above[i].color, cell.color);
@@ -153,23 +176,30 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
     }
     std::swap(above, current);
   }
+  edges.publish(block);
 }
 
 namespace {
 
-// The samples of one pixel for method 2: a grid of (2^depth + 1)^2 places, filled on demand.
+// The samples of one pixel for method 2: a grid of (2^depth + 1)^2 places, filled on demand. The
+// edges of pixels that were subdivided are kept for the next pixel and for the row below.
 class PixelSubdivision {
  public:
+  // For pixels from x = `left` to `right` - 1, to be asked for row by row.
   PixelSubdivision(const PixelSampler& sampler, const SampleContrast& contrast,
-                   const RenderOptions& options, RenderStatistics& statistics)
+                   const RenderOptions& options, int left, int right, RenderStatistics& statistics)
       : sampler_(sampler),
         contrast_(contrast),
         statistics_(statistics),
         depth_(options.antialias_depth),
         side_((1 << depth_) + 1),
+        left_(left),
         amplitude_(options.jitter_amount / side_),
         color_(static_cast<size_t>(side_) * side_),
-        known_(color_.size()) {}
+        known_(color_.size()),
+        edges_(static_cast<size_t>(right - left) + 1, Edge(static_cast<size_t>(side_))) {}
+
+  void start_row() { edges_[0].count = 0; }
 
   PixelColor pixel(int x, int y, const PixelColor corners[4]) {
     std::fill(known_.begin(), known_.end(), char{0});
@@ -178,17 +208,43 @@ class PixelSubdivision {
     store(last, 0, corners[1]);
     store(0, last, corners[2]);
     store(last, last, corners[3]);
-    return square(0, 0, last, last, x, y, 0.5, depth_ - 1);
+    Edge &vertical = edges_[0], &horizontal = edges_[static_cast<size_t>(x - left_) + 1];
+    for (int i = 0; i < vertical.count; ++i)
+      store(0, vertical.samples[i].at, vertical.samples[i].color);
+    for (int i = 0; i < horizontal.count; ++i) {
+      store(horizontal.samples[i].at, 0, horizontal.samples[i].color);
+    }
+    const PixelColor color = square(0, 0, last, last, x, y, 0.5, depth_ - 1);
+    vertical.count = horizontal.count = 0;
+    // Only a subdivided pixel has samples between its corners.
+    if (known(last / 2, last / 2)) {
+      for (int i = 1; i < last; ++i) {
+        if (known(last, i)) vertical.samples[vertical.count++] = {i, get(last, i)};
+        if (known(i, last)) horizontal.samples[horizontal.count++] = {i, get(i, last)};
+      }
+    }
+    return color;
   }
 
  private:
+  struct Sample {
+    int at;  // along the edge
+    PixelColor color;
+  };
+  struct Edge {
+    explicit Edge(size_t most) : samples(most) {}
+    std::vector<Sample> samples;
+    int count = 0;
+  };
+
   void store(int i, int j, const PixelColor& c) {
     color_[j * side_ + i] = c;
     known_[j * side_ + i] = 1;
   }
+  bool known(int i, int j) const { return known_[j * side_ + i]; }
   const PixelColor& get(int i, int j) const { return color_[j * side_ + i]; }
   void ensure(int i, int j, double x, double y) {
-    if (known_[j * side_ + i]) return;
+    if (known(i, j)) return;
     if (amplitude_ > 0) {
       const Vec2 jitter = sample_jitter(x, y);
       x += amplitude_ * jitter.x;
@@ -220,29 +276,39 @@ class PixelSubdivision {
   const PixelSampler& sampler_;
   const SampleContrast& contrast_;
   RenderStatistics& statistics_;
-  int depth_, side_;
+  int depth_, side_, left_;
   double amplitude_;
   std::vector<PixelColor> color_;
   std::vector<char> known_;
+  std::vector<Edge> edges_;  // the right one of the pixel before, the lower ones of the row above
 };
 
 }  // namespace
 
 void render_block_method2(const PixelSampler& sampler, const SampleContrast& contrast,
                           const RenderOptions& options, const PixelWindow& block,
-                          const PixelWindow& window, Framebuffer& framebuffer,
+                          const PixelWindow& window, EdgeSamples& edges, Framebuffer& framebuffer,
                           RenderStatistics& statistics) {
   // All corners of the block's pixels first, without jitter.
   const int columns = block.right - block.left + 1, rows = block.bottom - block.top + 1;
-  std::vector<PixelColor> corners(static_cast<size_t>(columns) * rows);
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < columns; ++i) {
+  std::vector<PixelColor> corners = bordering_samples(
+      edges.above(block), columns, sampler, block.left - 0.5, block.top - 0.5, Vec2(1, 0));
+  corners.resize(static_cast<size_t>(columns) * rows);
+  const std::vector<PixelColor> left = bordering_samples(
+      edges.left_of(block), rows, sampler, block.left - 0.5, block.top - 0.5, Vec2(0, 1));
+  for (int j = 1; j < rows; ++j) {
+    corners[j * columns] = left[j];
+    for (int i = 1; i < columns; ++i) {
       corners[j * columns + i] =
           sampler.sample(block.left + i - 0.5, block.top + j - 0.5, statistics);
     }
   }
-  PixelSubdivision subdivision(sampler, contrast, options, statistics);
+  for (int j = 0; j < rows; ++j) edges.right_edge(block)[j] = corners[(j + 1) * columns - 1];
+  std::copy(corners.end() - columns, corners.end(), edges.lower_edge(block));
+  edges.publish(block);
+  PixelSubdivision subdivision(sampler, contrast, options, block.left, block.right, statistics);
   for (int y = block.top; y < block.bottom; ++y) {
+    subdivision.start_row();
     for (int x = block.left; x < block.right; ++x) {
       if (!inside(window, x, y)) continue;
       const size_t at = static_cast<size_t>(y - block.top) * columns + (x - block.left);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "tracer/sampling/edge_samples.h"
 #include "tracer/sampling/pixel_sampler.h"
 
 namespace durer {
@@ -39,12 +40,12 @@ void render_block_without_antialiasing(const PixelSampler& sampler, const PixelW
 // +AM1: supersample pixels that differ from their left or upper neighbour.
 void render_block_method1(const PixelSampler& sampler, const SampleContrast& contrast,
                           const RenderOptions& options, const PixelWindow& block,
-                          const PixelWindow& window, Framebuffer& framebuffer,
+                          const PixelWindow& window, EdgeSamples& edges, Framebuffer& framebuffer,
                           RenderStatistics& statistics);
 // +AM2: subdivide pixels whose corners differ.
 void render_block_method2(const PixelSampler& sampler, const SampleContrast& contrast,
                           const RenderOptions& options, const PixelWindow& block,
-                          const PixelWindow& window, Framebuffer& framebuffer,
+                          const PixelWindow& window, EdgeSamples& edges, Framebuffer& framebuffer,
                           RenderStatistics& statistics);
 // A regular or jittered grid of n x n samples in every pixel, for teaching.
 void render_block_grid(const PixelSampler& sampler, const RenderOptions& options, bool jittered,

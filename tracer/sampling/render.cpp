@@ -15,9 +15,8 @@ namespace durer {
 namespace {
 
 // Blocks are anchored at pixel (0,0) of the whole picture, in rows (design.md rule 4d).
-std::vector<PixelWindow> blocks_of(const RenderOptions& options) {
+std::vector<PixelWindow> blocks_of(const RenderOptions& options, int size) {
   std::vector<PixelWindow> blocks;
-  const int size = std::min(options.block_size, std::max(options.width, options.height));
   for (int top = 0; top < options.height; top += size) {
     for (int left = 0; left < options.width; left += size) {
       const PixelWindow block{left, top, std::min(left + size, options.width),
@@ -53,11 +52,15 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                         const std::atomic<bool>& stop) {
   const PixelSampler sampler(scene, camera, integrator, options.width, options.height);
   const SampleContrast contrast(scene.scene, options);
-  std::vector<PixelWindow> blocks = blocks_of(options);
+  const int block_size = std::min(options.block_size, std::max(options.width, options.height));
+  std::vector<PixelWindow> blocks = blocks_of(options, block_size);
   std::erase_if(blocks, [&](const PixelWindow& block) {
     return !observer.block_wanted(intersection(block, options.window));
   });
 
+  const bool compares = options.supersampling == Supersampling::method1 ||
+                        options.supersampling == Supersampling::method2;
+  EdgeSamples edges(block_size, compares ? options.width : 0, compares ? options.height : 0);
   auto render_block = [&](const PixelWindow& block, RenderStatistics& statistics) {
     if (stop.load(std::memory_order_relaxed)) return;
     Framebuffer framebuffer(intersection(block, options.window));
@@ -67,11 +70,11 @@ RenderStatistics render(const ShadingScene& scene, const Camera& camera,
                                           statistics);
         break;
       case Supersampling::method1:
-        render_block_method1(sampler, contrast, options, block, options.window, framebuffer,
+        render_block_method1(sampler, contrast, options, block, options.window, edges, framebuffer,
                              statistics);
         break;
       case Supersampling::method2:
-        render_block_method2(sampler, contrast, options, block, options.window, framebuffer,
+        render_block_method2(sampler, contrast, options, block, options.window, edges, framebuffer,
                              statistics);
         break;
       case Supersampling::grid:
