@@ -22,6 +22,38 @@ TEST(Noise, VectorTurbulenceAgreesWithPovray) {
   EXPECT_NEAR(t.z, 0.0250328187, 1e-10);
 }
 
+TEST(Noise, WithoutZTheOthersStay) {
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p(0.37 * i - 150, 1.91 * i, -0.53 * i);
+    const Vec3 all = vector_turbulence(p, 1 + i % 9, 0.6, 2.1);
+    EXPECT_EQ(vector_turbulence_xy(p, 1 + i % 9, 0.6, 2.1), Vec2(all.x, all.y));
+  }
+}
+
+// The value folds at 1.00001, as std::fmod does it.
+TEST(Pattern, FoldsToTheLastBit) {
+  PatternNode node;
+  node.kind = PatternKind::gradient;
+  node.gradient = {1, 0, 0};
+  node.wave = WaveKind::ramp;
+  const auto folded = [&](float frequency, float phase) {
+    node.frequency = frequency;
+    node.phase = phase;
+    return Pattern(node, {}).value({0.75, 0, 0});
+  };
+  const auto expected = [](float frequency, float phase) {
+    const double v =
+        std::fmod(0.75 * static_cast<double>(frequency) + static_cast<double>(phase), 1.00001);
+    return v < 0 ? v - std::floor(v) : v;
+  };
+  for (int i = 1; i < 4000; ++i) {
+    const float phase = static_cast<float>(i) * 0.37f - 700,
+                frequency = static_cast<float>(1 << i % 24);
+    EXPECT_EQ(folded(frequency, phase), expected(frequency, phase)) << frequency << ' ' << phase;
+    EXPECT_EQ(folded(-frequency, phase), expected(-frequency, phase)) << frequency << ' ' << phase;
+  }
+}
+
 TEST(Noise, WavesAndRipplesAgreeWithPovray) {
   PatternNode node;
   node.kind = PatternKind::waves;

@@ -79,33 +79,33 @@ constexpr LatticeRows kLatticeRows = make_rows();
 
 DURER_INLINE double s_curve(double f) { return f * f * (3 - 2 * f); }
 
-DURER_INLINE int locate(double v, double& offset) {
-  const int64_t cell = static_cast<int64_t>(v >= 0 ? v : v - (1 - 1e-10));
+DURER_INLINE uint32_t locate(double v, double& offset) {
+  const int64_t cell = static_cast<int64_t>(v - (v >= 0 ? 0 : 1 - 1e-10));
   offset = v - static_cast<double>(cell);
-  return static_cast<int>((cell + 10000) & 4095);
+  return (static_cast<uint32_t>(cell) + 10000) & 4095;
 }
 
 // The eight corners of a cell: the rows of figures that belong to them, for one value, and their
 // weights; corner i lies at (i & 1, i >> 1 & 1, i >> 2).
 struct Corners {
-  int row[8];
+  const Row* row[8];
   double weight[8];
   double fx, fy, fz;
 };
 
 DURER_INLINE Corners corners_of(const Vec3& p) {
   Corners c;
-  const int ix = locate(p.x, c.fx), iy = locate(p.y, c.fy), iz = locate(p.z, c.fz);
+  const uint32_t ix = locate(p.x, c.fx), iy = locate(p.y, c.fy), iz = locate(p.z, c.fz);
   // Fourteen look-ups: those of x and xy are shared.
-  const int hx0 = kLatticeHash[ix], hx1 = kLatticeHash[ix + 1];
-  const int hash[4] = {kLatticeHash[hx0 ^ iy], kLatticeHash[hx1 ^ iy],
-                       kLatticeHash[hx0 ^ (iy + 1)], kLatticeHash[hx1 ^ (iy + 1)]};
+  const uint32_t hx0 = kLatticeHash[ix], hx1 = kLatticeHash[ix + 1];
+  const uint32_t hash[4] = {kLatticeHash[hx0 ^ iy], kLatticeHash[hx1 ^ iy],
+                            kLatticeHash[hx0 ^ (iy + 1)], kLatticeHash[hx1 ^ (iy + 1)]};
   const double sx = s_curve(c.fx), sy = s_curve(c.fy), sz = s_curve(c.fz);
   const double tx = 1 - sx, ty = 1 - sy, tz = 1 - sz;
   const double weight[4] = {tx * ty, sx * ty, tx * sy, sx * sy};
   for (int i = 0; i < 4; ++i) {
-    c.row[i] = kLatticeHash[hash[i] ^ iz] & 255;
-    c.row[i + 4] = kLatticeHash[hash[i] ^ (iz + 1)] & 255;
+    c.row[i] = kLatticeRows.row + (kLatticeHash[hash[i] ^ iz] & 255);
+    c.row[i + 4] = kLatticeRows.row + (kLatticeHash[hash[i] ^ (iz + 1)] & 255);
     c.weight[i] = weight[i] * tz;
     c.weight[i + 4] = weight[i] * sz;
   }
@@ -117,29 +117,30 @@ DURER_INLINE Corners corners_of(const Vec3& p) {
 DURER_INLINE void corner_sum(const Vec3& p, Row& sum) {
   const Corners c = corners_of(p);
   Row a[8];
-  for (int i = 0; i < 8; ++i) a[i] = kLatticeRows.row[c.row[i]] * c.weight[i];
+  for (int i = 0; i < 8; ++i) a[i] = *c.row[i] * c.weight[i];
   const Row b0 = a[0] + a[1], b1 = a[2] + a[3], b2 = a[4] + a[5], b3 = a[6] + a[7];
   const Row far_x = (a[1] + a[3]) + (a[5] + a[7]), far_y = b1 + b3, far_z = b2 + b3;
   const Row offsets{1, c.fx, c.fy, c.fz}, excess{0, far_x[1], far_y[2], far_z[3]};
   sum = ((b0 + b1) + far_z) * offsets - excess;
 }
 
-// Three values share the offsets: each corner's are weighted once.
-DURER_INLINE void add_corners(const Vec3& p, Row sums[3]) {
+// Up to three values share the offsets: each corner's are weighted once.
+template <int kValues>
+DURER_INLINE void add_corners(const Vec3& p, Row sums[kValues]) {
   const Corners c = corners_of(p);
   const Pair x0{1, c.fx}, x1{1, c.fx - 1};
   const Pair yz[4] = {{c.fy, c.fz}, {c.fy - 1, c.fz}, {c.fy, c.fz - 1}, {c.fy - 1, c.fz - 1}};
   // Pairs of corners along x: short chains of additions let the processor overlap them.
-  Row pair[4][3];
+  Row pair[4][kValues];
   for (int i = 0; i < 4; ++i) {
     const Row offsets0 = __builtin_shufflevector(x0, yz[i], 0, 1, 2, 3) * c.weight[2 * i];
     const Row offsets1 = __builtin_shufflevector(x1, yz[i], 0, 1, 2, 3) * c.weight[2 * i + 1];
-    for (int k = 0; k < 3; ++k) {
-      pair[i][k] = kLatticeRows.row[c.row[2 * i] + 4 * k] * offsets0 +
-                   kLatticeRows.row[c.row[2 * i + 1] + 4 * k] * offsets1;
+    for (int k = 0; k < kValues; ++k) {
+      pair[i][k] = c.row[2 * i][4 * k] * offsets0 + c.row[2 * i + 1][4 * k] * offsets1;
     }
   }
-  for (int k = 0; k < 3; ++k) sums[k] += (pair[0][k] + pair[1][k]) + (pair[2][k] + pair[3][k]);
+  for (int k = 0; k < kValues; ++k)
+    sums[k] += (pair[0][k] + pair[1][k]) + (pair[2][k] + pair[3][k]);
 }
 
 DURER_INLINE double total(const Row& row) { return (row[0] + row[1]) + (row[2] + row[3]); }
@@ -289,23 +290,41 @@ double noise(const Vec3& p, int generator) {
 
 DURER_KERNEL Vec3 vector_noise(const Vec3& p) {
   Row sums[3] = {};
-  add_corners(p, sums);
+  add_corners<3>(p, sums);
   return {total(sums[0]), total(sums[1]), total(sums[2])};
 }
 
-DURER_KERNEL Vec3 vector_turbulence(const Vec3& p, int octaves, double omega, double lambda) {
+namespace {
+
+template <int kValues>
+DURER_INLINE void sum_octaves(const Vec3& p, int octaves, double omega, double lambda,
+                              double out[kValues]) {
   // Partial sums stay in rows until the last octave.
-  Row sums[3] = {};
-  add_corners(p, sums);
+  Row sums[kValues] = {};
+  add_corners<kValues>(p, sums);
   double frequency = lambda, amplitude = omega;
   for (int i = 1; i < octaves; ++i) {
-    Row octave[3] = {};
-    add_corners(p * frequency, octave);
-    for (int c = 0; c < 3; ++c) sums[c] += octave[c] * amplitude;
+    Row octave[kValues] = {};
+    add_corners<kValues>(p * frequency, octave);
+    for (int k = 0; k < kValues; ++k) sums[k] += octave[k] * amplitude;
     frequency *= lambda;
     amplitude *= omega;
   }
-  return {total(sums[0]), total(sums[1]), total(sums[2])};
+  for (int k = 0; k < kValues; ++k) out[k] = total(sums[k]);
+}
+
+}  // namespace
+
+DURER_KERNEL Vec3 vector_turbulence(const Vec3& p, int octaves, double omega, double lambda) {
+  double sum[3];
+  sum_octaves<3>(p, octaves, omega, lambda, sum);
+  return {sum[0], sum[1], sum[2]};
+}
+
+DURER_KERNEL Vec2 vector_turbulence_xy(const Vec3& p, int octaves, double omega, double lambda) {
+  double sum[2];
+  sum_octaves<2>(p, octaves, omega, lambda, sum);
+  return {sum[0], sum[1]};
 }
 
 DURER_KERNEL Vec3 vector_wrinkles(const Vec3& p) {
@@ -313,7 +332,7 @@ DURER_KERNEL Vec3 vector_wrinkles(const Vec3& p) {
   double frequency = 1, share = 1;
   for (int i = 0; i < 10; ++i, frequency *= 2, share *= 0.5) {
     Row sums[3] = {};
-    add_corners(p * frequency, sums);
+    add_corners<3>(p * frequency, sums);
     result.x += std::abs(total(sums[0])) * share;
     result.y += std::abs(total(sums[1])) * share;
     result.z += std::abs(total(sums[2])) * share;

@@ -13,6 +13,7 @@ double noise(const Vec3& p, int generator);
 Vec3 vector_noise(const Vec3& p);
 // Sums of octaves: omega^i · noise(lambda^i · p). octaves >= 1.
 Vec3 vector_turbulence(const Vec3& p, int octaves, double omega, double lambda);
+Vec2 vector_turbulence_xy(const Vec3& p, int octaves, double omega, double lambda);  // without z
 double turbulence(const Vec3& p, int octaves, double omega, double lambda, int generator);
 // What the patterns granite and wrinkles, and the normal wrinkles (per component), sum up.
 double granite(const Vec3& p, int generator);

@@ -121,8 +121,8 @@ class Wood : public NoisePattern {
   double base_value(const Vec3& p, const PatternContext&) const override {
     double a = 0, b = 0;
     if (turbulent_) {
-      const Vec3 d =
-          vector_turbulence(p, turbulence_.octaves, turbulence_.omega, turbulence_.lambda);
+      const Vec2 d =
+          vector_turbulence_xy(p, turbulence_.octaves, turbulence_.omega, turbulence_.lambda);
       a = cycle((p.x + d.x) * turbulence_.strength.x);
       b = cycle((p.y + d.y) * turbulence_.strength.y);
     }

@@ -13,6 +13,21 @@ namespace {
 
 // Not 1: a value of 1 stays 1.
 constexpr double kFold = 1.00001;
+constexpr double kFoldHigh = static_cast<double>(static_cast<float>(kFold));
+constexpr double kFoldLow = kFold - kFoldHigh;
+
+// std::fmod(v, kFold) to the last bit, several times faster for what lies within a million periods:
+// their products with either part of kFold have no more than 53 bits, and so has each difference.
+double folded(double v) {
+  if (v >= 0 && v < kFold) return v;
+  const double size = std::abs(v);
+  if (size < 1 << 20) {
+    const double periods = static_cast<int>(size * (1 / kFold));
+    const double rest = (size - periods * kFoldHigh) - periods * kFoldLow;
+    if (rest >= 0 && rest < kFold) return std::copysign(rest, v);
+  }
+  return std::fmod(v, kFold);
+}
 
 // These use the slot in their own formula instead (spec/textures.md 3.1).
 bool uses_turbulence_itself(PatternKind kind) {
@@ -48,11 +63,7 @@ Vec3 Pattern::warp_point(const Vec3& p) const {
 
 double Pattern::value_at_warped(const Vec3& warped, const PatternContext& context) const {
   double v = base_->base_value(warped, context);
-  if (node_.frequency != 0) {
-    v = v * node_.frequency + node_.phase;
-    // fmod is slow, and most values need no folding.
-    if (!(v >= 0 && v < kFold)) v = std::fmod(v, kFold);
-  }
+  if (node_.frequency != 0) v = folded(v * node_.frequency + node_.phase);
   if (v < 0) v -= std::floor(v);
   apply_waves(v);
   return v;
