@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/power.h"
 #include "tracer/shading/reflectance.h"
 
 namespace durer {
@@ -283,7 +284,7 @@ LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, con
   LobeShares shares;
   if (diffuse > 0) {
     double cosine = std::abs(dot(normal, to_light));
-    if (finish.brilliance != 1) cosine = std::pow(cosine, static_cast<double>(finish.brilliance));
+    if (finish.brilliance != 1) cosine = power(cosine, static_cast<double>(finish.brilliance));
     shares.diffuse = static_cast<float>(cosine * diffuse * opacity);
   }
   if (!highlights) return shares;
@@ -291,7 +292,7 @@ LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, con
     const double p = dot(mirrored(ray_direction, normal), to_light);
     if (p > 0 && (finish.phong_size < 60 || p > 0.0008)) {
       shares.highlight +=
-          static_cast<float>(finish.phong * std::pow(p, static_cast<double>(finish.phong_size)));
+          static_cast<float>(finish.phong * power(p, static_cast<double>(finish.phong_size)));
     }
   }
   if (finish.specular > 0) {
@@ -300,7 +301,7 @@ LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, con
     const double q = size > 0 ? dot(half, normal) / size : 0;
     if (q > 0) {
       shares.highlight += static_cast<float>(
-          finish.specular * std::pow(q, static_cast<double>(layer.highlight_exponent)));
+          finish.specular * power(q, static_cast<double>(layer.highlight_exponent)));
     }
   }
   return shares;
