@@ -72,12 +72,25 @@ class Cone final : public Shape {
   }
 
  private:
+  // Whether the line misses the side beyond doubt, and the discs with it: most rays end here, before a
+  // root or a quotient is taken.
+  bool passes_by(const Vec3& o, const Vec3& direction, double length2) const {
+    const double outward = is_cylinder_ ? 0 : direction.z;
+    const double a = direction.x * direction.x + direction.y * direction.y - outward * outward;
+    const double b = o.x * direction.x + o.y * direction.y - o.z * outward;
+    const double c = o.x * o.x + o.y * o.y - (is_cylinder_ ? 1 : o.z * o.z);
+    const double b2 = b * b, ac = a * c;
+    return a > 2 * kGeometryEpsilon * length2 && b2 - ac < -1e-12 * (b2 + ac);
+  }
+
   // Depths in normalised local space, `stretch` times those in the world, in the order of the
   // specification; returns their count. (Each quotient by itself: trace() gives povray's last digits.)
   int find(const ShapeRay& ray, double& stretch, double* depth, Part* part) const {
-    stretch = length(ray.direction);
-    const Vec3 d = ray.direction * (1 / stretch);
     const Vec3& o = ray.origin;
+    const double length2 = dot(ray.direction, ray.direction);
+    if (passes_by(o, ray.direction, length2)) return 0;
+    stretch = std::sqrt(length2);
+    const Vec3 d = ray.direction * (1 / stretch);
     int count = 0;
     const auto add = [&](double t, Part which) {
       depth[count] = t;
@@ -134,14 +147,20 @@ class Cone final : public Shape {
   bool closed_;
 };
 
+// All cylinders are one of two in their own space: rays find it in the processor's cache.
+const std::shared_ptr<const Shape>& unit_cylinder(bool closed) {
+  static const std::shared_ptr<const Shape> closed_one = std::make_shared<Cone>(true, 0, true);
+  static const std::shared_ptr<const Shape> open_one = std::make_shared<Cone>(true, 0, false);
+  return closed ? closed_one : open_one;
+}
+
 }  // namespace
 
 PlacedShape compile(const CylinderNode& node, const ShapeContext&) {
   const Vec3 axis = node.base - node.apex;
   const double height = length(axis);
   if (!(height >= kGeometryEpsilon)) return {};
-  return place(std::make_shared<Cone>(true, 0, !node.open), node.apex, axis / height, node.radius,
-               height);
+  return place(unit_cylinder(!node.open), node.apex, axis / height, node.radius, height);
 }
 
 PlacedShape compile(const ConeNode& node, const ShapeContext& context) {
