@@ -47,20 +47,12 @@ bool Parser::State::parse_defined() {
   bool defined = false;
   // Whatever is no name in use is not defined.
   if (peek().kind == TokenKind::identifier && look.entry) {
-    Entry* entry = look.entry;
+    Entry& entry = *look.entry;
     defined = true;
     const bool is_array = look.value && look.value->kind() == ValueKind::array;
     consume();
     if (is_array && raw_peek().is(Symbol::bracket_open)) {
-      Reference reference;
-      if (entry->alias) {
-        reference = *entry->alias;
-      } else {
-        reference.entry = entry;
-      }
-      const FlagScope elements(resolve_elements, true);
-      parse_subscripts(reference);
-      const Value* value = readable(reference);
+      const Value* value = readable(parse_element(entry));
       defined = value && value->is_set();
     }
   } else {

@@ -185,13 +185,7 @@ bool Parser::State::fetch_identifier() {
 void Parser::State::resolve_subscripts() {
   const Token token = look.token;
   Entry* const entry = look.entry;
-  Reference reference;
-  if (entry->alias) {
-    reference = *entry->alias;
-  } else {
-    reference.entry = entry;
-  }
-  parse_subscripts(reference);
+  const Reference reference = parse_element(*entry);
   look.token = token;
   look.entry = entry;
   look.value = readable(reference);

@@ -218,21 +218,13 @@ void Parser::State::do_undef() {
     message(Severity::warning, "#undef of " + quoted(token.name) + ", which is not declared");
     consume();
   } else {
-    Entry* entry = look.entry;
+    Entry& entry = *look.entry;
     const bool array = look.value && look.value->kind() == ValueKind::array;
     consume();
     if (array && raw_peek().is(Symbol::bracket_open)) {
-      Reference reference;
-      if (entry->alias) {
-        reference = *entry->alias;
-      } else {
-        reference.entry = entry;
-      }
-      const FlagScope elements(resolve_elements, true);
-      parse_subscripts(reference);
-      if (Value* element = writable(reference)) *element = Value();
+      if (Value* element = writable(parse_element(entry))) *element = Value();
     } else {
-      symbols.remove(*entry);
+      symbols.remove(entry);
     }
   }
 }

@@ -196,6 +196,8 @@ struct Parser::State {
   void parse_array_level(Array& array, int dimension, int64_t& index);
   // Reads all subscripts that follow: into the array, into the array in that element ...
   void parse_subscripts(Reference& reference);
+  // The element that the subscripts after an array's name stand for.
+  Reference parse_element(Entry& array);
   int64_t parse_flat_index(const ArrayShape& shape);
   // The variable or element that a reference names, for writing; arrays on the way are unshared.
   Value* writable(const Reference& reference);

@@ -226,6 +226,18 @@ int64_t Parser::State::parse_flat_index(const ArrayShape& shape) {
   return flat;
 }
 
+Reference Parser::State::parse_element(Entry& array) {
+  Reference reference;
+  if (array.alias) {
+    reference = *array.alias;
+  } else {
+    reference.entry = &array;
+  }
+  const FlagScope elements(resolve_elements, true);
+  parse_subscripts(reference);
+  return reference;
+}
+
 void Parser::State::parse_subscripts(Reference& reference) {
   const NestingScope deeper(*this);
   // The brackets are looked for in the text itself: the element's kind decides what comes next.

@@ -59,17 +59,9 @@ std::shared_ptr<const MaterialNode> parse_material(Parser& parser) {
     } else if (parser.accept(Keyword::interior)) {
       node->interior = parse_interior(parser);
     } else if (parser.at_any({Keyword::pigment, Keyword::normal, Keyword::finish})) {
-      auto texture = std::make_shared<TextureNode>(node->texture ? *node->texture
-                                                                 : *default_texture(parser));
-      if (parser.accept(Keyword::pigment)) {
-        texture->pigment = parse_pigment(parser, texture->pigment);
-      } else if (parser.accept(Keyword::normal)) {
-        texture->normal = parse_normal(parser, texture->normal);
-      } else {
-        parser.next();
-        texture->finish = parse_finish(parser, texture->finish);
-      }
-      node->texture = texture;
+      const Keyword part = parser.next().keyword;
+      node->texture =
+          parse_texture_part(parser, part, node->texture ? node->texture : default_texture(parser));
     } else if (accept_transformation(parser, transform)) {
       // The interior texture stays where it is (spec/textures.md 15.2).
       node->texture = transformed(node->texture, transform);

@@ -147,15 +147,7 @@ bool ObjectBuilder::accept_texture_item(Keyword keyword) {
     case Keyword::normal:
     case Keyword::finish: {
       parser_.next();
-      auto texture = std::make_shared<TextureNode>(*texture_to_modify());
-      if (keyword == Keyword::pigment) {
-        texture->pigment = parse_pigment(parser_, texture->pigment);
-      } else if (keyword == Keyword::normal) {
-        texture->normal = parse_normal(parser_, texture->normal);
-      } else {
-        texture->finish = parse_finish(parser_, texture->finish);
-      }
-      set_texture(std::move(texture));
+      set_texture(parse_texture_part(parser_, keyword, texture_to_modify()));
       return true;
     }
     case Keyword::interior_texture: {

@@ -271,6 +271,18 @@ TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TextureP
   return copy;
 }
 
+TexturePtr parse_texture_part(Parser& parser, Keyword part, const TexturePtr& start) {
+  auto texture = std::make_shared<TextureNode>(*start);
+  if (part == Keyword::pigment) {
+    texture->pigment = parse_pigment(parser, texture->pigment);
+  } else if (part == Keyword::normal) {
+    texture->normal = parse_normal(parser, texture->normal);
+  } else {
+    texture->finish = parse_finish(parser, texture->finish);
+  }
+  return texture;
+}
+
 TexturePtr parse_texture(Parser& parser) {
   parser.expect_open("texture");
   TexturePtr texture = TextureReader(parser).read();

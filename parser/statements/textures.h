@@ -11,6 +11,7 @@
 namespace durer {
 
 class Parser;
+enum class Keyword : uint16_t;
 
 // pigment{...}: starts from `start` (never null: the default or the object's own).
 std::shared_ptr<const PigmentNode> parse_pigment(Parser& parser,
@@ -25,6 +26,8 @@ std::shared_ptr<const FinishNode> parse_finish(Parser& parser,
                                                const std::shared_ptr<const FinishNode>& start);
 // texture{...}: one statement; may name a layered texture.
 TexturePtr parse_texture(Parser& parser);
+// `part`: pigment, normal or finish, just read. The texture with that part changed.
+TexturePtr parse_texture_part(Parser& parser, Keyword part, const TexturePtr& start);
 // The default texture, copied (it is immutable: shared).
 TexturePtr default_texture(Parser& parser);
 // Puts a texture on top of another; errors where one is patterned.

@@ -88,8 +88,8 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   }
 
   if (std::abs(dispersion - 1) > kEpsilon && !ray.band.is_monochromatic()) {
-    color += passed * refract_bands(ray, hit, top_layer, top_normal, weight, behind, ratio,
-                                    dispersion, samples, counts);
+    color += passed * refract_bands(ray, next, hit, top_layer, top_normal, ratio, dispersion,
+                                    samples, counts);
     return false;
   }
   if (ray.band.is_monochromatic()) {
@@ -107,29 +107,22 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
   return false;
 }
 
-RGB WhittedIntegrator::refract_bands(const TracedRay& ray, const SurfaceHit& hit,
-                                     const TextureLayer& top_layer, const Vec3& top_normal,
-                                     float weight, const InteriorList& behind, double ratio,
-                                     double dispersion, int samples, RayCounts& counts) const {
+RGB WhittedIntegrator::refract_bands(const TracedRay& ray, const TracedRay& next,
+                                     const SurfaceHit& hit, const TextureLayer& top_layer,
+                                     const Vec3& top_normal, double ratio, double dispersion,
+                                     int samples, RayCounts& counts) const {
   RGB sum(0.0f);
   const double width = 350.0 / samples;
   for (int i = 0; i < samples; ++i) {
-    TracedRay next = ray;
-    next.origin = hit.surface.point;
-    next.max_depth = kFarAway;
-    next.kind.primary = false;
-    next.spawned_as = RayKind::refracted;
-    next.events.append(PathEvents::Event::specular);
-    next.weight = weight;
-    next.level = ray.level + 1;
-    next.path = extend_path(ray.path, kEventTransmission + 1 + static_cast<uint64_t>(i));
-    next.interiors = behind;
-    next.band = {380 + width * (i + 0.5), width};
-    const double band_ratio = ratio * std::pow(dispersion, -(next.band.wavelength - 555) / 350);
-    const RGB seen = refracted(ray.direction, top_normal, band_ratio, next.direction)
-                         ? trace(next, counts).color
-                         : reflect(ray, hit, top_normal, top_layer, weight, counts);
-    sum += band_hue(next.band.wavelength, width, samples) * seen;
+    TracedRay band = next;
+    band.level = ray.level + 1;
+    band.path = extend_path(ray.path, kEventTransmission + 1 + static_cast<uint64_t>(i));
+    band.band = {380 + width * (i + 0.5), width};
+    const double band_ratio = ratio * std::pow(dispersion, -(band.band.wavelength - 555) / 350);
+    const RGB seen = refracted(ray.direction, top_normal, band_ratio, band.direction)
+                         ? trace(band, counts).color
+                         : reflect(ray, hit, top_normal, top_layer, next.weight, counts);
+    sum += band_hue(band.band.wavelength, width, samples) * seen;
   }
   return sum * (1.0f / static_cast<float>(samples));
 }

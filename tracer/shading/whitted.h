@@ -99,8 +99,9 @@ class WhittedIntegrator : public Integrator {
   bool transmit_ray(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& top_layer,
                     const Vec3& top_normal, float weight, const RGB& filter, bool filtered,
                     RayCounts& counts, RGB& color, float& transmit) const;
-  RGB refract_bands(const TracedRay& ray, const SurfaceHit& hit, const TextureLayer& top_layer,
-                    const Vec3& top_normal, float weight, const InteriorList& inside, double ratio,
+  // `next`: the ray that goes on, but for its direction and wavelength.
+  RGB refract_bands(const TracedRay& ray, const TracedRay& next, const SurfaceHit& hit,
+                    const TextureLayer& top_layer, const Vec3& top_normal, double ratio,
                     double dispersion, int samples, RayCounts& counts) const;
 
   // What all lights together may leave out of a pixel: less than a tenth of an 8-bit code, also in the

@@ -14,12 +14,7 @@ class Lathe final : public Shape {
  public:
   Lathe(const LatheNode& node, std::vector<CurveSegment> segments)
       : segments_(std::move(segments)), degree_(degree_of(node.spline)), sturm_(node.sturm) {
-    min_ = segments_[0].min;
-    max_ = segments_[0].max;
-    for (const CurveSegment& s : segments_) {
-      min_ = glm::min(min_, s.min);
-      max_ = glm::max(max_, s.max);
-    }
+    enclose(segments_, min_, max_);
   }
 
   Bounds bounds() const override {

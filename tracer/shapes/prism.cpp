@@ -26,12 +26,7 @@ class Prism final : public Shape {
         conic_(node.conic_sweep),
         open_(node.open),
         sturm_(node.sturm) {
-    min_ = segments_[0].min;
-    max_ = segments_[0].max;
-    for (const CurveSegment& s : segments_) {
-      min_ = glm::min(min_, s.min);
-      max_ = glm::max(max_, s.max);
-    }
+    enclose(segments_, min_, max_);
   }
 
   Bounds bounds() const override {

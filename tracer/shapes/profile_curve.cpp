@@ -37,6 +37,15 @@ void extend_by_extrema(CurveSegment& s, int axis) {
 
 }  // namespace
 
+void enclose(const std::vector<CurveSegment>& segments, Vec2& min, Vec2& max) {
+  min = segments[0].min;
+  max = segments[0].max;
+  for (const CurveSegment& s : segments) {
+    min = glm::min(min, s.min);
+    max = glm::max(max, s.max);
+  }
+}
+
 CurveSegment curve_segment(SplineKind kind, const Vec2* p, bool backwards_bezier) {
   CurveSegment s;
   switch (kind) {

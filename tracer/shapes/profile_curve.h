@@ -16,6 +16,9 @@ struct CurveSegment {
   Vec2 tangent(double w) const { return (3.0 * cubic * w + 2.0 * square) * w + linear; }
 };
 
+// Encloses all segments, of which there is at least one.
+void enclose(const std::vector<CurveSegment>& segments, Vec2& min, Vec2& max);
+
 inline int degree_of(SplineKind kind) {
   return kind == SplineKind::linear ? 1 : kind == SplineKind::quadratic ? 2 : 3;
 }

@@ -379,6 +379,14 @@ uint32_t WorldBuilder::emit_bare(const ResolvedObject& object, bool csg_child) {
     geometry.nodes[index].has_object =
         object.kind != ResolvedObject::Kind::light || !children.empty();
   }
+  finish_node(index, object, children, clips, bounds);
+  return index;
+}
+
+void WorldBuilder::finish_node(uint32_t index, const ResolvedObject& object,
+                               const std::vector<uint32_t>& children, const NodeRange& clips,
+                               const NodeRange& bounds) {
+  Geometry& geometry = data_.geometry;
   GeometryNode& node = geometry.nodes[index];
   node.hidden = hidden_bits(object);
   node.children = {static_cast<uint32_t>(geometry.lists.size()),
@@ -387,7 +395,6 @@ uint32_t WorldBuilder::emit_bare(const ResolvedObject& object, bool csg_child) {
   if (!(object.shape && object.shape->ignores_clips())) node.clips = clips;
   node.bounds = bounds;
   geometry.finish_node(index);
-  return index;
 }
 
 uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent,
@@ -463,15 +470,8 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   }
   data_.appearance[index] = appearance;
 
-  GeometryNode& node = geometry.nodes[index];
-  node.object = object_number(material, object);
-  node.hidden = hidden_bits(object);
-  node.children = {static_cast<uint32_t>(geometry.lists.size()),
-                   static_cast<uint32_t>(children.size())};
-  geometry.lists.insert(geometry.lists.end(), children.begin(), children.end());
-  if (!(object.shape && object.shape->ignores_clips())) node.clips = clips;
-  node.bounds = bounds;
-  geometry.finish_node(index);
+  geometry.nodes[index].object = object_number(material, object);
+  finish_node(index, object, children, clips, bounds);
   return index;
 }
 

@@ -137,6 +137,9 @@ class WorldBuilder {
   NodeRange emit_list(const std::vector<ResolvedObject>& list);
   uint32_t new_node();
   void fill_shape(uint32_t index, const ResolvedObject& object, bool csg_child);
+  void finish_node(uint32_t index, const ResolvedObject& object,
+                   const std::vector<uint32_t>& children, const NodeRange& clips,
+                   const NodeRange& bounds);
   uint32_t indirect_number(const ResolvedObject& object);
   uint32_t object_number(const WorldObject& object, const ResolvedObject& source);
   void add_instance(const ResolvedObject& copy);

@@ -26,19 +26,10 @@ void parse_component_modifiers(Parser& parser, BlobComponent& component, const c
       const TexturePtr top = parse_texture(parser);
       component.texture =
           component.texture ? layer_texture(parser, component.texture, top) : top;
-    } else if (parser.at(Keyword::pigment) || parser.at(Keyword::normal) ||
-               parser.at(Keyword::finish)) {
-      auto texture = std::make_shared<TextureNode>(
-          component.texture ? *component.texture : *default_texture(parser));
-      if (parser.accept(Keyword::pigment)) {
-        texture->pigment = parse_pigment(parser, texture->pigment);
-      } else if (parser.accept(Keyword::normal)) {
-        texture->normal = parse_normal(parser, texture->normal);
-      } else {
-        parser.next();
-        texture->finish = parse_finish(parser, texture->finish);
-      }
-      component.texture = texture;
+    } else if (parser.at_any({Keyword::pigment, Keyword::normal, Keyword::finish})) {
+      const Keyword part = parser.next().keyword;
+      component.texture = parse_texture_part(
+          parser, part, component.texture ? component.texture : default_texture(parser));
     } else {
       break;
     }
