@@ -38,13 +38,14 @@ struct ShapeHit {
 // Where shapes push their hits. One per thread, reused: it does not allocate once it has grown.
 class HitStack {
  public:
-  HitStack() { hits_.reserve(256); }
-  void push(double t, uint32_t part = 0, float u = 0, float v = 0) {
-    hits_.push_back({t, owner, part, u, v});
+  HitStack() : hits_(256) {}
+  void push(double t, uint32_t part = 0, float u = 0, float v = 0) { push({t, owner, part, u, v}); }
+  void push(const ShapeHit& hit) {
+    if (size_ == hits_.size()) [[unlikely]] hits_.resize(2 * size_);
+    hits_[size_++] = hit;
   }
-  void push(const ShapeHit& hit) { hits_.push_back(hit); }
-  size_t size() const { return hits_.size(); }
-  void shrink(size_t size) { hits_.resize(size); }
+  size_t size() const { return size_; }
+  void shrink(size_t size) { size_ = size; }
   ShapeHit& operator[](size_t i) { return hits_[i]; }
   const ShapeHit& operator[](size_t i) const { return hits_[i]; }
 
@@ -67,7 +68,8 @@ class HitStack {
   }
 
  private:
-  std::vector<ShapeHit> hits_;
+  std::vector<ShapeHit> hits_;  // room for them
+  size_t size_ = 0;
 };
 
 // A share of a surface in one of Shape::own_textures(); -1: in the object's texture.
