@@ -33,11 +33,11 @@ bool inside(const PixelWindow& window, int x, int y) {
 
 // `count` samples from (x, y) on, one pixel apart, that border a block: the neighbour's, or traced
 // again. Those are not counted, or the counts would depend on which block is finished first.
-std::vector<PixelColor> bordering_samples(const PixelColor* of_neighbour, int count,
-                                          const PixelSampler& sampler, double x, double y,
-                                          const Vec2& step) {
-  if (of_neighbour) return {of_neighbour, of_neighbour + count};
-  std::vector<PixelColor> samples;
+EdgeSamples::Samples bordering_samples(EdgeSamples::Samples of_neighbour, int count,
+                                       const PixelSampler& sampler, double x, double y,
+                                       const Vec2& step) {
+  if (!of_neighbour.empty()) return of_neighbour;
+  EdgeSamples::Samples samples;
   samples.reserve(static_cast<size_t>(count));
   RenderStatistics uncounted;
   for (int i = 0; i < count; ++i) {
@@ -152,21 +152,23 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
   };
 
   // The column to the left and the row above only serve comparison.
-  const std::vector<PixelColor> left =
-      bordering_samples(edges.left_of(block), block.bottom - block.top, sampler, block.left - 1,
-                        block.top, Vec2(0, 1));
-  const std::vector<PixelColor> top = bordering_samples(edges.above(block), width - 1, sampler,
-                                                        block.left, block.top - 1, Vec2(1, 0));
+  const EdgeSamples::Samples left =
+      bordering_samples(edges.take_left_of(block), block.bottom - block.top, sampler,
+                        block.left - 1, block.top, Vec2(0, 1));
+  const EdgeSamples::Samples top = bordering_samples(edges.take_above(block), width - 1, sampler,
+                                                     block.left, block.top - 1, Vec2(1, 0));
   for (int i = 1; i < width; ++i) above[i] = {top[i - 1], true};
-  PixelColor *right_edge = edges.right_edge(block), *lower_edge = edges.lower_edge(block);
+  EdgeSamples::Samples right_edge, lower_edge;
+  right_edge.reserve(left.size());
+  lower_edge.reserve(top.size());
   for (int y = block.top; y < block.bottom; ++y) {
     current[0] = {left[y - block.top], true};
     for (int i = 1; i < width; ++i) {
       const int x = block.left + i - 1;
       Cell& cell = current[i];
       cell = {sampler.sample(x, y, statistics), false};
-      if (x == block.right - 1) *right_edge++ = cell.color;
-      if (y == block.bottom - 1) *lower_edge++ = cell.color;
+      if (x == block.right - 1) right_edge.push_back(cell.color);
+      if (y == block.bottom - 1) lower_edge.push_back(cell.color);
       if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;
       const bool left_differs = contrast.differ(current[i - 1].color, cell.color);
       const bool top_differs = contrast.differ(above[i].color, cell.color);
@@ -176,7 +178,7 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
     }
     std::swap(above, current);
   }
-  edges.publish(block);
+  edges.give(block, std::move(right_edge), std::move(lower_edge));
 }
 
 namespace {
@@ -292,10 +294,10 @@ void render_block_method2(const PixelSampler& sampler, const SampleContrast& con
   // All corners of the block's pixels first, without jitter.
   const int columns = block.right - block.left + 1, rows = block.bottom - block.top + 1;
   std::vector<PixelColor> corners = bordering_samples(
-      edges.above(block), columns, sampler, block.left - 0.5, block.top - 0.5, Vec2(1, 0));
+      edges.take_above(block), columns, sampler, block.left - 0.5, block.top - 0.5, Vec2(1, 0));
   corners.resize(static_cast<size_t>(columns) * rows);
-  const std::vector<PixelColor> left = bordering_samples(
-      edges.left_of(block), rows, sampler, block.left - 0.5, block.top - 0.5, Vec2(0, 1));
+  const EdgeSamples::Samples left = bordering_samples(
+      edges.take_left_of(block), rows, sampler, block.left - 0.5, block.top - 0.5, Vec2(0, 1));
   for (int j = 1; j < rows; ++j) {
     corners[j * columns] = left[j];
     for (int i = 1; i < columns; ++i) {
@@ -303,9 +305,9 @@ void render_block_method2(const PixelSampler& sampler, const SampleContrast& con
           sampler.sample(block.left + i - 0.5, block.top + j - 0.5, statistics);
     }
   }
-  for (int j = 0; j < rows; ++j) edges.right_edge(block)[j] = corners[(j + 1) * columns - 1];
-  std::copy(corners.end() - columns, corners.end(), edges.lower_edge(block));
-  edges.publish(block);
+  EdgeSamples::Samples right_edge;
+  for (int j = 0; j < rows; ++j) right_edge.push_back(corners[(j + 1) * columns - 1]);
+  edges.give(block, std::move(right_edge), {corners.end() - columns, corners.end()});
   PixelSubdivision subdivision(sampler, contrast, options, block.left, block.right, statistics);
   for (int y = block.top; y < block.bottom; ++y) {
     subdivision.start_row();
