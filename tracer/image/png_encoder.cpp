@@ -1,8 +1,12 @@
+#include <libdeflate.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "tracer/image/picture_writer.h"
@@ -48,6 +52,8 @@ class PngRows {
         row_(codes_.size() * static_cast<size_t>(stored_ / 8)) {}
 
   int stored_bits() const { return stored_; }
+  size_t bytes() const { return row_.size(); }
+  size_t bytes_of_pixel() const { return row_.size() / pixels_.size(); }
   png_bytep row(int y) {
     picture_.read(y, 0, picture_.width(), pixels_.data());
     quantizer_.quantize_row(y, pixels_.data(), codes_.data());
@@ -69,11 +75,41 @@ class PngRows {
   std::vector<png_byte> row_;
 };
 
+// Pictures of up to so many bytes are compressed at once, in a third of the time that zlib takes;
+// larger ones row by row.
+constexpr size_t kMostAtOnce = size_t{8} << 20;
+
+// All rows, each less the pixel to the left (PNG's filter Sub), as one zlib stream.
+std::vector<png_byte> compressed_rows(PngRows& rows, int height, int level) {
+  const size_t bytes = rows.bytes(), step = rows.bytes_of_pixel();
+  std::vector<png_byte> filtered((bytes + 1) * static_cast<size_t>(height));
+  png_bytep out = filtered.data();
+  for (int y = 0; y < height; ++y) {
+    const png_byte* const row = rows.row(y);
+    *out++ = PNG_FILTER_VALUE_SUB;
+    std::copy_n(row, step, out);
+    for (size_t i = step; i < bytes; ++i) out[i] = static_cast<png_byte>(row[i] - row[i - step]);
+    out += bytes;
+  }
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::vector<png_byte> stream(libdeflate_zlib_compress_bound(compressor.get(), filtered.size()));
+  stream.resize(libdeflate_zlib_compress(compressor.get(), filtered.data(), filtered.size(),
+                                         stream.data(), stream.size()));
+  return stream;
+}
+
 }  // namespace
 
 void encode_png(std::FILE* file, const Picture& picture, const PictureOutput& output) {
   const PixelFormat& format = output.format;
   PngRows rows(picture, format);
+  const bool level_given = output.compression >= 1 && output.compression <= 9;
+  std::vector<png_byte> stream;
+  if ((rows.bytes() + 1) * static_cast<size_t>(picture.height()) <= kMostAtOnce) {
+    stream = compressed_rows(rows, picture.height(), level_given ? output.compression : 1);
+  }
   Message message;
   errno = 0;
   png_structp png =
@@ -101,11 +137,15 @@ void encode_png(std::FILE* file, const Picture& picture, const PictureOutput& ou
   // Pictures are small beside the work of tracing them: little effort unless more is asked for. One
   // filter for all rows costs a fifth of trying them all and makes hardly larger files.
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-  const bool level_given = output.compression >= 1 && output.compression <= 9;
   png_set_compression_level(png, level_given ? output.compression : 3);
   png_write_info(png, info);
-  for (int y = 0; y < picture.height(); ++y) png_write_row(png, rows.row(y));
-  png_write_end(png, nullptr);
+  if (!stream.empty()) {
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), stream.data(), stream.size());
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
+  } else {
+    for (int y = 0; y < picture.height(); ++y) png_write_row(png, rows.row(y));
+    png_write_end(png, nullptr);
+  }
   png_destroy_write_struct(&png, &info);
 }
 
