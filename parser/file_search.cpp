@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "parser/parser_state.h"
+#include "tracer/image/raster_file.h"
 
 namespace durer {
 namespace {
@@ -126,6 +127,18 @@ std::shared_ptr<SourceFile> Parser::State::load_source(const std::string& path) 
   known = std::make_shared<SourceFile>(path, std::move(text), names);
   all_files.push_back(known);
   return known;
+}
+
+std::shared_ptr<const RasterFile> Parser::read_image(const std::string& path, ImageFileType type) {
+  std::weak_ptr<const RasterFile>& known = state_->images[{path, type}];
+  if (auto image = known.lock()) return image;
+  try {
+    auto image = std::make_shared<const RasterFile>(read_raster(path, type));
+    known = image;
+    return image;
+  } catch (const std::runtime_error& failure) {
+    error(failure.what());
+  }
 }
 
 }  // namespace durer

@@ -19,6 +19,7 @@
 #include "parser/token.h"
 #include "parser/value.h"
 #include "tracer/scene/color.h"
+#include "tracer/scene/image_source.h"
 #include "tracer/scene/source_position.h"
 
 namespace durer {
@@ -180,6 +181,8 @@ class Parser {
   // Finds a file as the language does (extensions, current folder, library paths); failing that,
   // ignoring case and with `\` read as `/`, with a warning. Empty: not found.
   std::string find_file(const std::string& name, FileType type);
+  // Each file once, as long as something shares it. An error if it cannot be read.
+  std::shared_ptr<const RasterFile> read_image(const std::string& path, ImageFileType type);
 
   // The executing stream and everything behind it (parser/parser_state.h); for the core only.
   struct State;

@@ -2,6 +2,7 @@
 // expressions, files. For the .cpp files of this folder only; statements use parser.h.
 #pragma once
 
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -340,6 +341,7 @@ struct Parser::State {
   int function_levels = 0;  // of the functions that the function being read calls
   std::vector<std::shared_ptr<UserFile>> open_files;
   std::unordered_map<std::string, std::shared_ptr<SourceFile>> sources;  // by path
+  std::map<std::pair<std::string, ImageFileType>, std::weak_ptr<const RasterFile>> images;
   std::vector<std::string> written_files;  // by #fopen: their cached text is stale
 };
 

@@ -27,8 +27,8 @@ class WorldQueries : public SceneQueries {
   Bounds extents(const ObjectPtr& object) override { return compiled(object).extents(); }
   bool image_size(const PigmentNode& pigment, Vec2& size) override {
     if (pigment.pattern->kind != PatternKind::image_map || !pigment.pattern->image) return false;
-    const RasterFile raster = read_raster(*pigment.pattern->image);
-    size = {raster.width, raster.height};
+    const std::shared_ptr<const RasterFile> raster = raster_of(*pigment.pattern->image);
+    size = {raster->width, raster->height};
     return true;
   }
   Vec3 turbulence(const Vec3& point, double lambda, double omega, int octaves, int) override {

@@ -140,6 +140,9 @@ class CameraReader {
       if (camera_.blur_samples <= 0 || camera_.min_blur_samples < 0) {
         parser_.error("the number of blur_samples must be positive");
       }
+      if (camera_.min_blur_samples > camera_.blur_samples) {
+        parser_.error("the least number of blur_samples is above the greatest");
+      }
     } else if (parser_.accept(Keyword::confidence)) {
       camera_.confidence = parser_.parse_float();
       if (!(camera_.confidence > 0 && camera_.confidence < 1)) {

@@ -61,7 +61,6 @@ class FinishReader {
       finish_.conserve_energy = true;
     } else if (parser_.accept(Keyword::reflection_exponent)) {
       finish_.reflection_exponent = number();
-      if (finish_.reflection_exponent == 0) parser_.error("reflection_exponent must not be 0");
     } else {
       return false;
     }
@@ -128,7 +127,6 @@ class FinishReader {
         finish_.reflection_falloff = number();
       } else if (parser_.accept(Keyword::exponent)) {
         finish_.reflection_exponent = number();
-        if (finish_.reflection_exponent == 0) parser_.error("the exponent must not be 0");
       } else if (parser_.accept(Keyword::metallic)) {
         finish_.reflection_metallic = static_cast<float>(parser_.parse_optional_float(1));
       } else {

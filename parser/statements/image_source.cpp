@@ -4,6 +4,7 @@
 #include "parser/parser.h"
 #include "parser/statements/textures.h"
 #include "tracer/functions/compiled_function.h"
+#include "tracer/image/raster_file.h"
 #include "tracer/scene/function.h"
 
 namespace durer {
@@ -29,12 +30,17 @@ ImageFileType accept_type(Parser& parser) {
   return ImageFileType::by_name;
 }
 
-void parse_index_or_all(Parser& parser, std::vector<std::pair<int, float>>& list) {
+void parse_index_or_all(Parser& parser, const ImageSource& source,
+                        std::vector<std::pair<int, float>>& list) {
   int index = ImageSource::kAllIndices;
   if (!parser.accept(Keyword::all)) {
     index = parser.parse_int();
-    if (index < 0) parser.error("a palette has no negative entries");
     parser.accept_comma();
+    const size_t entries = source.raster ? source.raster->palette.size() : 0;
+    if (entries == 0) parser.error("an image without a palette knows `all` only");
+    if (index < 0 || static_cast<size_t>(index) >= entries) {
+      parser.error("the palette has entries 0 to " + std::to_string(entries - 1));
+    }
   }
   list.emplace_back(index, static_cast<float>(parser.parse_float()));
 }
@@ -120,6 +126,7 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
     } else if (parser.accept(Keyword::premultiplied)) {
       source->premultiplied = parser.parse_optional_switch();
     } else {
+      source->raster = parser.read_image(source->path, source->type);
       return source;
     }
   }
@@ -147,9 +154,9 @@ std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKi
     } else if (parser.accept(Keyword::offset)) {
       source->offset = parser.parse_uv();
     } else if (pigment && parser.accept(Keyword::filter)) {
-      parse_index_or_all(parser, source->filter);
+      parse_index_or_all(parser, *source, source->filter);
     } else if (pigment && parser.accept(Keyword::transmit)) {
-      parse_index_or_all(parser, source->transmit);
+      parse_index_or_all(parser, *source, source->transmit);
     } else if (kind == PatternKind::image_pattern && parser.accept(Keyword::use_alpha)) {
       source->use_alpha = true;
     } else if (bump_size && parser.accept(Keyword::bump_size)) {

@@ -74,7 +74,11 @@ BlackHoleWarp parse_black_hole(Parser& parser) {
   }
 }
 
-Vec3 parse_orientation(Parser& parser) { return normalize_or_zero(parser.parse_vector()); }
+// Of the zero vector: not a number, as in POV-Ray.
+Vec3 parse_orientation(Parser& parser) {
+  const Vec3 orientation = parser.parse_vector();
+  return orientation / length(orientation);
+}
 
 template <typename RoundWarp>
 RoundWarp parse_round(Parser& parser, RoundWarp warp, double* major_radius) {

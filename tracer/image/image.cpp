@@ -61,14 +61,16 @@ TransferCurve working_curve(const WorkingSpace& space) {
 
 }  // namespace
 
-Image::Image(RasterFile file, const ImageSource& source, ImageUse use, const WorkingSpace& space)
-    : file_(std::move(file)) {
-  const Decoding decoding = decoding_of(file_, source, use, space);
+Image::Image(std::shared_ptr<const RasterFile> raster, const ImageSource& source, ImageUse use,
+             const WorkingSpace& space)
+    : file_(std::move(raster)) {
+  const RasterFile& file = *file_;
+  const Decoding decoding = decoding_of(file, source, use, space);
   const OutputTransfer transfer(
       decoding.file, decoding.to_working_space ? working_curve(space) : TransferCurve::neutral());
   const auto decoded = [&](float v) { return decoding.needed ? transfer(v) : v; };
-  if (file_.is_palette()) {
-    for (const auto& entry : file_.palette) {
+  if (file.is_palette()) {
+    for (const auto& entry : file.palette) {
       ColorRGBFT c{decoded(static_cast<float>(entry[0]) / 255.0f),
                    decoded(static_cast<float>(entry[1]) / 255.0f),
                    decoded(static_cast<float>(entry[2]) / 255.0f), 0,
@@ -80,23 +82,24 @@ Image::Image(RasterFile file, const ImageSource& source, ImageUse use, const Wor
     palette_.resize(256);
     return;
   }
-  opaque_ = !file_.has_alpha();
-  if (file_.bits == 32) {
+  opaque_ = !file.has_alpha();
+  if (file.bits == 32) {
     if (!decoding.needed) return;
-    for (size_t i = 0; i < file_.floats.size(); ++i) {
-      const bool alpha = file_.has_alpha() &&
-                         i % static_cast<size_t>(file_.channels) ==
-                             static_cast<size_t>(file_.channels) - 1;
-      if (!alpha) file_.floats[i] = decoded(file_.floats[i]);
+    floats_ = file.floats;
+    for (size_t i = 0; i < floats_.size(); ++i) {
+      const bool alpha = file.has_alpha() &&
+                         i % static_cast<size_t>(file.channels) ==
+                             static_cast<size_t>(file.channels) - 1;
+      if (!alpha) floats_[i] = decoded(floats_[i]);
     }
     return;
   }
-  const int greatest = file_.bits == 8 ? 255 : 65535;
+  const int greatest = file.bits == 8 ? 255 : 65535;
   decode_.resize(static_cast<size_t>(greatest) + 1);
   for (int v = 0; v <= greatest; ++v)
     decode_[static_cast<size_t>(v)] =
-        decoded(static_cast<float>(v) / static_cast<float>(file_.maximum ? file_.maximum : greatest));
-  if (file_.type == ImageFileType::png && file_.bits == 8 && file_.channels == 1)
+        decoded(static_cast<float>(v) / static_cast<float>(file.maximum ? file.maximum : greatest));
+  if (file.type == ImageFileType::png && file.bits == 8 && file.channels == 1)
     decode_grey_of_png();
 }
 
@@ -109,35 +112,35 @@ void Image::decode_grey_of_png() {
 }
 
 float Image::value(size_t position, bool alpha) const {
-  if (file_.bits == 32) return file_.floats[position];
-  const uint16_t stored = file_.bits == 8 ? file_.bytes[position] : file_.words[position];
+  if (file_->bits == 32) return floats_.empty() ? file_->floats[position] : floats_[position];
+  const uint16_t stored = file_->bits == 8 ? file_->bytes[position] : file_->words[position];
   if (!alpha) return decode_[stored];
-  return static_cast<float>(stored) / (file_.bits == 8 ? 255.0f : 65535.0f);
+  return static_cast<float>(stored) / (file_->bits == 8 ? 255.0f : 65535.0f);
 }
 
 ColorRGBFT Image::pixel(int x, int y) const {
-  if (file_.is_palette()) return palette_[file_.bytes[at(x, y)]];
-  const size_t first = at(x, y) * static_cast<size_t>(file_.channels);
+  if (file_->is_palette()) return palette_[file_->bytes[at(x, y)]];
+  const size_t first = at(x, y) * static_cast<size_t>(file_->channels);
   ColorRGBFT c;
   c.red = value(first, false);
-  if (file_.channels >= 3) {
+  if (file_->channels >= 3) {
     c.green = value(first + 1, false);
     c.blue = value(first + 2, false);
   } else {
     c.green = c.blue = c.red;
   }
-  if (file_.has_alpha())
-    c.transmit = 1 - value(first + static_cast<size_t>(file_.channels) - 1, true);
+  if (file_->has_alpha())
+    c.transmit = 1 - value(first + static_cast<size_t>(file_->channels) - 1, true);
   return c;
 }
 
 std::shared_ptr<const Image> ImageCache::get(const ImageSource& source, ImageUse use) {
   if (source.function)
-    return std::make_shared<Image>(read_raster(source), source, use, space_);
+    return std::make_shared<Image>(raster_of(source), source, use, space_);
   std::shared_ptr<const Image>& image =
       images_[{source.path, static_cast<int>(source.type), static_cast<int>(use),
                static_cast<int>(source.gamma_kind), source.gamma}];
-  if (!image) image = std::make_shared<Image>(read_raster(source), source, use, space_);
+  if (!image) image = std::make_shared<Image>(raster_of(source), source, use, space_);
   return image;
 }
 

@@ -27,39 +27,40 @@ struct WorkingSpace {
 
 class Image {
  public:
-  Image(RasterFile file, const ImageSource& source, ImageUse use, const WorkingSpace& space);
+  Image(std::shared_ptr<const RasterFile> file, const ImageSource& source, ImageUse use,
+        const WorkingSpace& space);
 
-  int width() const { return file_.width; }
-  int height() const { return file_.height; }
-  bool is_palette() const { return file_.is_palette(); }
-  bool has_alpha() const { return file_.has_alpha(); }
+  int width() const { return file_->width; }
+  int height() const { return file_->height; }
+  bool is_palette() const { return file_->is_palette(); }
+  bool has_alpha() const { return file_->has_alpha(); }
   bool is_opaque() const { return opaque_; }
-  int palette_size() const { return static_cast<int>(file_.palette.size()); }
-  ImageFileType type() const { return file_.type; }
-  const RasterFile& raster() const { return file_; }
+  int palette_size() const { return static_cast<int>(file_->palette.size()); }
+  ImageFileType type() const { return file_->type; }
+  const RasterFile& raster() const { return *file_; }
 
   // x, y must lie inside. Alpha a gives transmit 1 - a.
   ColorRGBFT pixel(int x, int y) const;
-  int index(int x, int y) const { return file_.bytes[at(x, y)]; }
+  int index(int x, int y) const { return file_->bytes[at(x, y)]; }
 
  private:
   size_t at(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(file_.width) + static_cast<size_t>(x);
+    return static_cast<size_t>(y) * static_cast<size_t>(file_->width) + static_cast<size_t>(x);
   }
   float value(size_t position, bool alpha) const;
   void decode_grey_of_png();
 
-  RasterFile file_;
-  std::vector<float> decode_;  // of 8- and 16-bit values; empty: value / maximum
+  std::shared_ptr<const RasterFile> file_;
+  std::vector<float> decode_;  // of 8- and 16-bit values
+  std::vector<float> floats_;  // decoded; empty: as in the file
   std::vector<ColorRGBFT> palette_;
   bool opaque_ = true;
 };
 
-// Each file is read once per scene and use.
+// Each file is decoded once per scene and use.
 class ImageCache {
  public:
   explicit ImageCache(const WorkingSpace& space) : space_(space) {}
-  // Throws std::runtime_error with a text for the user.
   std::shared_ptr<const Image> get(const ImageSource& source, ImageUse use);
 
  private:

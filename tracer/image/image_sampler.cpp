@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 #include "tracer/image/image.h"
@@ -49,9 +48,6 @@ ImageSampler::ImageSampler(std::shared_ptr<const Image> image, const ImageSource
   if (!image_->is_palette()) {
     for (const auto* list : {&source.filter, &source.transmit}) {
       for (const auto& [index, value] : *list) {
-        if (index != ImageSource::kAllIndices)
-          throw std::runtime_error("filter and transmit by index need an image with a palette: '" +
-                                   source.path + "' has none");
         (list == &source.filter ? added_filter_ : added_transmit_) = value;
       }
     }
@@ -71,11 +67,8 @@ ImageSampler::ImageSampler(std::shared_ptr<const Image> image, const ImageSource
     for (const auto& [index, value] : list) {
       if (index == ImageSource::kAllIndices) {
         for (ColorRGBFT& entry : palette_) entry.*part = value;
-      } else if (index >= 0 && index < image_->palette_size()) {
-        palette_[static_cast<size_t>(index)].*part = value;
       } else {
-        throw std::runtime_error("the palette of '" + source.path + "' has no entry " +
-                                 std::to_string(index));
+        palette_[static_cast<size_t>(index)].*part = value;
       }
     }
   };

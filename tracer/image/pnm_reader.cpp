@@ -33,19 +33,13 @@ class PnmText {
     if (value > most || !(std::isspace(c) || c == EOF || c == '#')) wrong();
     return value;
   }
-  // The digits of a bitmap need no space between them.
-  int bit() {
-    int c = byte();
-    while (std::isspace(c)) c = byte();
-    return c == '1';
-  }
   void read(uint8_t* to, size_t count) {
     if (std::fread(to, 1, count, file_.get()) != count) byte();
   }
   // From here on the file may end after a number.
   void in_pixels() { last_ = true; }
   [[noreturn]] void wrong() const {
-    throw std::runtime_error("the image '" + path_ + "' is no readable PPM or PGM");
+    throw std::runtime_error("the image '" + path_ + "' is no readable file of its kind, PPM or PGM");
   }
 
  private:
@@ -56,38 +50,27 @@ class PnmText {
 
 }  // namespace
 
-RasterFile read_pnm(const std::string& path) {
+RasterFile read_pnm(const std::string& path, ImageFileType type) {
   PnmText text(path);
   if (text.byte() != 'P') text.wrong();
   const int kind = text.byte() - '0';
-  if (kind < 1 || kind > 6) text.wrong();
+  const bool is_plain = kind == 2 || kind == 3, has_colors = type == ImageFileType::ppm;
+  if (kind != (has_colors ? 3 : 2) && kind != (has_colors ? 6 : 5)) text.wrong();
   RasterFile file;
   file.width = text.number(1 << 24);
   file.height = text.number(1 << 24);
-  const bool is_bitmap = kind == 1 || kind == 4, is_plain = kind <= 3;
-  const int maximum = is_bitmap ? 1 : text.number(65535);
+  const int maximum = text.number(65535);
   if (file.width < 1 || file.height < 1 || maximum < 1) text.wrong();
   file.maximum = maximum;
-  file.channels = kind == 3 || kind == 6 ? 3 : 1;
+  file.channels = has_colors ? 3 : 1;
   file.bits = maximum > 255 ? 16 : 8;
-  const size_t row = static_cast<size_t>(file.width) * static_cast<size_t>(file.channels);
-  const size_t count = row * static_cast<size_t>(file.height);
+  const size_t count = static_cast<size_t>(file.width) * static_cast<size_t>(file.height) *
+                       static_cast<size_t>(file.channels);
   text.in_pixels();
-  if (kind == 4) {
-    std::vector<uint8_t> packed((row + 7) / 8);
-    file.bytes.reserve(count);
-    for (int y = 0; y < file.height; ++y) {
-      text.read(packed.data(), packed.size());
-      for (size_t x = 0; x < row; ++x) {
-        file.bytes.push_back(packed[x / 8] >> (7 - x % 8) & 1 ? 0 : 1);
-      }
-    }
-  } else if (file.bits == 8) {
+  if (file.bits == 8) {
     file.bytes.resize(count);
     if (is_plain) {
-      for (uint8_t& value : file.bytes) {
-        value = static_cast<uint8_t>(is_bitmap ? 1 - text.bit() : text.number(maximum));
-      }
+      for (uint8_t& value : file.bytes) value = static_cast<uint8_t>(text.number(maximum));
     } else {
       text.read(file.bytes.data(), count);
     }

@@ -47,30 +47,32 @@ void premultiply(RasterFile& file) {
 
 }  // namespace
 
-RasterFile read_raster(const ImageSource& source) {
+std::shared_ptr<const RasterFile> raster_of(const ImageSource& source) {
+  if (source.raster) return source.raster;
   RasterFile file;
-  if (source.function) {
-    file.width = source.function->width;
-    file.height = source.function->height;
-    file.channels = source.function->channels;
-    file.bits = 16;
-    file.words = source.function->values;
-    file.type = ImageFileType::function;
-    return file;
-  }
-  const ImageFileType type =
-      source.type == ImageFileType::by_name ? image_type_of(source.path) : source.type;
+  file.width = source.function->width;
+  file.height = source.function->height;
+  file.channels = source.function->channels;
+  file.bits = 16;
+  file.words = source.function->values;
+  file.type = ImageFileType::function;
+  return std::make_shared<RasterFile>(std::move(file));
+}
+
+RasterFile read_raster(const std::string& path, ImageFileType type) {
+  RasterFile file;
+  if (type == ImageFileType::by_name) type = image_type_of(path);
   switch (type) {
-    case ImageFileType::png: file = read_png(source.path); break;
+    case ImageFileType::png: file = read_png(path); break;
     case ImageFileType::ppm:
-    case ImageFileType::pgm: file = read_pnm(source.path); break;
-    case ImageFileType::jpeg: file = read_jpeg(source.path); break;
+    case ImageFileType::pgm: file = read_pnm(path, type); break;
+    case ImageFileType::jpeg: file = read_jpeg(path); break;
     case ImageFileType::tga:
-    case ImageFileType::bmp: file = read_tga_or_bmp(source.path); break;
-    case ImageFileType::hdr: file = read_hdr(source.path); break;
-    case ImageFileType::gif: file = read_gif(source.path); break;
-    case ImageFileType::pot: file = read_pot(source.path); break;
-    default: file = read_with_openimageio(source.path); break;
+    case ImageFileType::bmp: file = read_tga_or_bmp(path); break;
+    case ImageFileType::hdr: file = read_hdr(path); break;
+    case ImageFileType::gif: file = read_gif(path); break;
+    case ImageFileType::pot: file = read_pot(path); break;
+    default: file = read_with_openimageio(path); break;
   }
   if (type == ImageFileType::tiff && file.straight_alpha) premultiply(file);
   file.type = type;

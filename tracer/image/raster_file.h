@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,14 +36,17 @@ struct RasterFile {
   bool has_alpha() const { return channels == 2 || channels == 4; }
 };
 
-// Throws std::runtime_error with a text for the user.
-RasterFile read_raster(const ImageSource& source);
+// Throws std::runtime_error with a text for the user. `by_name`: the name's extension tells the type.
+RasterFile read_raster(const std::string& path, ImageFileType type);
+// Of a source that was parsed.
+std::shared_ptr<const RasterFile> raster_of(const ImageSource& source);
 
 // By the name's extension; PNG where that says nothing.
 ImageFileType image_type_of(const std::string& path);
 
 RasterFile read_png(const std::string& path);
-RasterFile read_pnm(const std::string& path);
+// `ppm` means colours (P3, P6), `pgm` greys (P2, P5).
+RasterFile read_pnm(const std::string& path, ImageFileType type);
 RasterFile read_jpeg(const std::string& path);
 RasterFile read_tga_or_bmp(const std::string& path);
 RasterFile read_hdr(const std::string& path);

@@ -25,7 +25,8 @@ double density(double distance) {
 
 class Gradient : public BasePattern {
  public:
-  explicit Gradient(const Vec3& g) : direction_(normalize_or_zero(g)) {}
+  // Along the zero vector nothing is a number, as in POV-Ray.
+  explicit Gradient(const Vec3& g) : direction_(g / length(g)) {}
   double base_value(const Vec3& p, const PatternContext&) const override {
     const double t = dot(p, direction_);
     return t > 1 ? std::fmod(t, 1.0) : t;

@@ -14,6 +14,9 @@
 
 namespace durer {
 
+// What an image file holds (tracer/image/raster_file.h).
+struct RasterFile;
+
 // A function image, evaluated where it was read: 16 bits per value, grey or RGBA, row 0 on top.
 struct FunctionRaster {
   int width = 0, height = 0, channels = 1;
@@ -27,8 +30,10 @@ enum class ImageFileType { by_name, tga, png, ppm, pgm, gif, iff, jpeg, tiff, bm
 enum class ImageGamma { automatic, power, srgb };
 
 struct ImageSource {
-  // As found; the pixels are read when the world is built. Empty: a function image.
+  // As found. Empty: a function image.
   std::string path;
+  // Its pixels, shared by all statements that name the file. Null: a function image.
+  std::shared_ptr<const RasterFile> raster;
   ImageFileType type = ImageFileType::by_name;
   ImageGamma gamma_kind = ImageGamma::automatic;
   double gamma = 1;

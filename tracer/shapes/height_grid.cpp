@@ -38,7 +38,7 @@ class RawHeight {
 }  // namespace
 
 HeightGrid::HeightGrid(const ImageSource& source) {
-  const Image image(read_raster(source), source, ImageUse::raw, WorkingSpace());
+  const Image image(raster_of(source), source, ImageUse::raw, WorkingSpace());
   columns_ = image.width();
   rows_ = image.height();
   const RawHeight raw(image);

@@ -69,14 +69,19 @@ class Parametric final : public Shape {
       stack.pop_back();
       if (r.greatest > best) continue;
       const double du = r.u1 - r.u0, dv = r.v1 - r.v0;
-      if (std::min(std::max(du, dv), r.longest) < node_.accuracy) {
+      const bool along_u = du >= dv;
+      const double middle = along_u ? 0.5 * (r.u0 + r.u1) : 0.5 * (r.v0 + r.v1);
+      // An accuracy of 0 ends where no number lies between two others.
+      const bool is_least = along_u ? !(r.u0 < middle && middle < r.u1)
+                                    : !(r.v0 < middle && middle < r.v1);
+      if (std::min(std::max(du, dv), r.longest) < node_.accuracy || is_least) {
         if (r.depth < best && r.depth > from) {
           best = r.depth;
           found = {r.u0, r.v0};
         }
         continue;
       }
-      split(ray, r, du >= dv, from, to, best, stack);
+      split(ray, r, along_u, middle, from, to, best, stack);
     }
     if (best < to)
       out.push(best, 0, static_cast<float>(found.x), static_cast<float>(found.y));
@@ -107,10 +112,9 @@ class Parametric final : public Shape {
   };
 
   // Halves share the corners in the middle, and a half that one axis rules out asks no other.
-  void split(const ShapeRay& ray, const Rectangle& r, bool along_u, double from, double to,
-             double best, std::vector<Rectangle>& stack) const {
+  void split(const ShapeRay& ray, const Rectangle& r, bool along_u, double middle, double from,
+             double to, double best, std::vector<Rectangle>& stack) const {
     Rectangle low = r, high = r;
-    const double middle = along_u ? 0.5 * (r.u0 + r.u1) : 0.5 * (r.v0 + r.v1);
     (along_u ? low.u1 : low.v1) = middle;
     (along_u ? high.u0 : high.v0) = middle;
     low.depth = low.greatest = low.longest = high.depth = high.greatest = high.longest = 0;

@@ -27,7 +27,8 @@ double mean_ground_density(double start, double end) {
   if (start <= 0 && end <= 0) return 1;
   if (start <= 0) return (std::atan(end) - start) / (end - start);
   if (end <= 0) return (std::atan(start) - end) / (start - end);
-  if (std::abs(start - end) <= kEpsilon) return 1 / (start * start + 1);
+  // Neither does fog of altitude 0 thicken an infinite way.
+  if (!(std::abs(start - end) > kEpsilon)) return 1 / (start * start + 1);
   return (std::atan(start) - std::atan(end)) / (start - end);
 }
 
@@ -48,7 +49,7 @@ Atmosphere::Atmosphere(const Scene& scene, const TextureSettings& settings, bool
   for (const FogNode& fog : scene.fogs) {
     if (std::abs(fog.distance) <= kEpsilon) continue;
     fogs_.push_back(fog);
-    fogs_.back().up = normalize_or_zero(fog.up);
+    fogs_.back().up = fog.up / length(fog.up);  // of zero: not a number, as in POV-Ray
   }
   for (const RainbowNode& node : scene.rainbows) {
     if (node.width == 0 || node.distance == 0 || !node.color_map) continue;

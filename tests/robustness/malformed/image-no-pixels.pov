@@ -1,0 +1,6 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+plane { z, 3
+  pigment {
+    image_map { ppm "no-pixels.ppm" } }
+}
