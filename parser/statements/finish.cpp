@@ -161,8 +161,8 @@ class FinishReader {
       finish_.diffuse_back *= (finish_.brilliance + 1) / 2;
     }
     if (albedo_phong_) finish_.phong *= (finish_.phong_size + 1) / 2;
-    if (albedo_specular_ && finish_.roughness != 0) {
-      const float e = 1 / finish_.roughness;
+    if (albedo_specular_) {
+      const float e = finish_.roughness != 0 ? 1 / finish_.roughness : 0;
       finish_.specular *= (e + 2) / (4 * (2 - std::pow(2.0f, -e / 2)));
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tracer/math/power.h"
 #include "tracer/shading/reflectance.h"
@@ -156,6 +157,8 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
     if (layer.normal) {
       context = &bumped.emplace(hit.context);
       normal = layer_normal(layer, frames, point, bumped.value);
+      // Nothing that such a layer adds is a number either.
+      if (std::isnan(normal.x)) [[unlikely]] color += RGB(std::numeric_limits<float>::quiet_NaN());
     }
     hit.last_normal = context->normal;
     if (!first_layer) {

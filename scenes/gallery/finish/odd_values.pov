@@ -1,7 +1,7 @@
 // Values at the ends of what finishes accept: zero and negative exponents, sizes and shares.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { orthographic location <4.0, 2.0, -20> look_at <4.0, 2.0, 0> up 4*y right 5.33333*x }
+camera { orthographic location <4.0, 2.0, -20> look_at <4.0, 2.0, 0> up 6*y right 8*x }
 light_source { <-30, 50, -60>, 1 }
 background { rgb <0.2, 0.3, 0.5> }
 plane { -z, -1 pigment { checker rgb 0.3, rgb 0.6 scale 0.3 } }
@@ -66,6 +66,6 @@ sphere { 0, 0.46 pigment { rgb <0.9, 0.6, 0.3> } finish { irid { 0.3 thickness 0
 #declare Place = <5 + 0.5, 0 + 0.5, 0>;
 sphere { 0, 0.46 pigment { rgb <0.9, 0.6, 0.3> } finish { irid { -1 thickness -1 } } translate Place }
 #declare Place = <6 + 0.5, 0 + 0.5, 0>;
-sphere { 0, 0.46 pigment { rgb <0.9, 0.6, 0.3> } finish { emission -1 } translate Place }
+sphere { 0, 0.46 pigment { rgb <0.9, 0.6, 0.3> } finish { specular albedo 1 roughness 0 } translate Place }
 #declare Place = <7 + 0.5, 0 + 0.5, 0>;
 sphere { 0, 0.46 pigment { rgb <0.9, 0.6, 0.3> } finish { diffuse albedo 1 brilliance 0 } translate Place }

@@ -1,7 +1,7 @@
 // Values at the ends of what lights accept; each light shines on its own square only.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { orthographic location <3.0, 2.0, -20> look_at <3.0, 2.0, 0> up 4*y right 5.33333*x }
+camera { orthographic location <3.0, 2.0, -20> look_at <3.0, 2.0, 0> up 4.5*y right 6*x }
 light_source { <-30, 50, -60>, 1 }
 background { rgb <0.2, 0.3, 0.5> }
 #declare Place = <0 + 0.5, 3 + 0.5, 0>;

@@ -1,7 +1,7 @@
 // Values at the ends of what patterns accept: no directions, no sizes, functions that are no numbers.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { orthographic location <4.0, 2.5, -20> look_at <4.0, 2.5, 0> up 5*y right 6.66667*x }
+camera { orthographic location <4.0, 2.5, -20> look_at <4.0, 2.5, 0> up 6*y right 8*x }
 light_source { <-30, 50, -60>, 1 }
 background { rgb <0.2, 0.3, 0.5> }
 #default { finish { ambient 1 diffuse 0 } }
@@ -33,11 +33,8 @@ box { -0.46, 0.46 pigment { magnet 2 julia <0, 0>, 5 color_map { [0 rgb x] [0.5 
 box { -0.46, 0.46 pigment { mandel 20 exterior 1, 1e30 color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.4 } translate Place }
 #declare Place = <5 + 0.5, 3 + 0.5, 0>;
 box { -0.46, 0.46 pigment { mandel 20 exponent 33 color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.4 } translate Place }
-#declare Place = <6 + 0.5, 3 + 0.5, 0>;
-#declare Place = <7 + 0.5, 3 + 0.5, 0>;
 #declare Place = <0 + 0.5, 2 + 0.5, 0>;
 box { -0.46, 0.46 pigment { slope { y, 0.5, 0.5 } color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.4 } translate Place }
-#declare Place = <1 + 0.5, 2 + 0.5, 0>;
 #declare Place = <2 + 0.5, 2 + 0.5, 0>;
 box { -0.46, 0.46 pigment { slope { y, 0, 1 altitude y, 0, 0 } color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.4 } translate Place }
 #declare Place = <3 + 0.5, 2 + 0.5, 0>;
@@ -80,4 +77,3 @@ box { -0.46, 0.46 pigment { brick mortar 10 } translate Place }
 box { -0.46, 0.46 pigment { brick brick_size -1 } translate Place }
 #declare Place = <6 + 0.5, 0 + 0.5, 0>;
 box { -0.46, 0.46 pigment { object { sphere { 0, 0 } rgb x rgb y } } translate Place }
-#declare Place = <7 + 0.5, 0 + 0.5, 0>;

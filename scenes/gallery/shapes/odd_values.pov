@@ -1,7 +1,7 @@
 // Shapes of no or negative size, moved and scaled to nothing; CSG of nothing: what remains, remains.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { orthographic location <5.0, 2.0, -20> look_at <5.0, 2.0, 0> up 4*y right 5.33333*x }
+camera { orthographic location <5.0, 2.0, -20> look_at <5.0, 2.0, 0> up 7.5*y right 10*x }
 light_source { <-30, 50, -60>, 1 }
 background { rgb <0.2, 0.3, 0.5> }
 #declare Place = <0 + 0.5, 3 + 0.5, 0>;
@@ -62,7 +62,6 @@ object { mesh2 { vertex_vectors { 3, 0, 0.4*x, 0.4*y } face_indices { 2, <0, 1, 
 object { quadric { 0, 0, 0, 1 pigment { rgb <0.9, 0.6, 0.3> } } translate Place }
 #declare Place = <8 + 0.5, 1 + 0.5, 0>;
 object { blob { threshold 0.5 sphere { 0, 0.4, 0 } sphere { 0.1*x, 0.4, 1 } pigment { rgb <0.9, 0.6, 0.3> } } translate Place }
-#declare Place = <9 + 0.5, 1 + 0.5, 0>;
 #declare Place = <0 + 0.5, 0 + 0.5, 0>;
 object { prism { 0, 0, 4, <0, 0>, <0.4, 0>, <0, 0.4>, <0, 0> pigment { rgb <0.9, 0.6, 0.3> } } translate Place }
 #declare Place = <1 + 0.5, 0 + 0.5, 0>;

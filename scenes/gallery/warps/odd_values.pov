@@ -1,7 +1,7 @@
 // Values at the ends of what warps and turbulence accept: no octaves, no size, no orientation.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { orthographic location <4.0, 2.0, -20> look_at <4.0, 2.0, 0> up 4*y right 5.33333*x }
+camera { orthographic location <4.0, 2.0, -20> look_at <4.0, 2.0, 0> up 6*y right 8*x }
 light_source { <-30, 50, -60>, 1 }
 background { rgb <0.2, 0.3, 0.5> }
 #default { finish { ambient 1 diffuse 0 } }
@@ -17,8 +17,6 @@ box { -0.46, 0.46 pigment { bozo color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } s
 box { -0.46, 0.46 pigment { bozo color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.3 turbulence 1 omega 2 } translate Place }
 #declare Place = <5 + 0.5, 3 + 0.5, 0>;
 box { -0.46, 0.46 pigment { bozo color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.3 turbulence 1 omega -1 } translate Place }
-#declare Place = <6 + 0.5, 3 + 0.5, 0>;
-box { -0.46, 0.46 pigment { bozo color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.3 turbulence 1 lambda 1e30 } translate Place }
 #declare Place = <7 + 0.5, 3 + 0.5, 0>;
 box { -0.46, 0.46 pigment { bozo color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 0.3 warp { repeat 1e-3*x } } translate Place }
 #declare Place = <0 + 0.5, 2 + 0.5, 0>;
