@@ -1,8 +1,8 @@
 // No scene of the gallery allocates memory per ray: four times as many rays, as many allocations.
 //
 // Each scene is read and made ready once. A first picture, which is not counted, fills the tables that
-// a thread keeps; then what the rendering thread allocates for 8x8 and for 16x16 pixels must be the
-// same number. Both are one block. Reading is not counted: OpenImageIO shares its work among threads
+// a thread keeps; then what the rendering thread allocates for 4 rows of pixels and for 16 must be the
+// same number. Both are one block, and what a block allocates for its columns is the same, too. Reading is not counted: OpenImageIO shares its work among threads
 // of its own and the caller's, so what that allocates varies from run to run by hundreds.
 //
 //     allocations_per_ray FOLDER [PART OF A NAME]
@@ -72,7 +72,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFewPixels = 8, kManyPixels = 16;  // of an edge
+constexpr int kColumns = 16, kFewRows = 4, kManyRows = 16;
 constexpr int kLeastScenes = 370;
 
 struct Way {
@@ -90,17 +90,18 @@ class NoObserver : public RenderObserver {
 
 // Allocations of one picture.
 unsigned long count(const ShadingScene& scene, const CameraNode& node, Supersampling supersampling,
-                    int pixels) {
+                    int rows) {
   RenderOptions options;
-  options.width = options.height = pixels;
-  options.window = {0, 0, pixels, pixels};
+  options.width = kColumns;
+  options.height = rows;
+  options.window = {0, 0, kColumns, rows};
   options.supersampling = supersampling;
-  const Camera camera(node, pixels, pixels,
+  const Camera camera(node, kColumns, rows,
                       WorldPatternServices(texture_settings(scene.scene, scene.options),
                                            scene.scene.settings)
                           .settings());
   const WhittedIntegrator integrator(scene, WhittedIntegrator::Depth::recursive);
-  Framebuffer picture(pixels, pixels);
+  Framebuffer picture(kColumns, rows);
   NoObserver observer;
   const std::atomic<bool> stop = false;
   allocations = 0;
@@ -116,20 +117,20 @@ int failures_of(const fs::path& path) {
   ParseOptions parse;
   parse.input_file = path.filename();
   parse.library_paths = {"/usr/share/povray-3.7/include"};
-  parse.image_width = parse.image_height = kManyPixels;
+  parse.image_width = parse.image_height = kManyRows;
   const ParseResult result = parse_scene(parse);
   if (!result.scene) throw std::runtime_error("it cannot be read");
   Scene& scene = *result.scene;
   const ShadingScene shading(scene, std::move(scene.objects), {}, {});
   int failures = 0;
   for (const Way& way : kWays) {
-    count(shading, *scene.camera, way.supersampling, kManyPixels);
-    const unsigned long few = count(shading, *scene.camera, way.supersampling, kFewPixels);
-    const unsigned long many = count(shading, *scene.camera, way.supersampling, kManyPixels);
+    count(shading, *scene.camera, way.supersampling, kManyRows);
+    const unsigned long few = count(shading, *scene.camera, way.supersampling, kFewRows);
+    const unsigned long many = count(shading, *scene.camera, way.supersampling, kManyRows);
     if (few == many) continue;
     ++failures;
     std::printf("%s %s: %lu allocations for %d pixels, %lu for %d\n", path.c_str(), way.name, few,
-                kFewPixels * kFewPixels, many, kManyPixels * kManyPixels);
+                kColumns * kFewRows, many, kColumns * kManyRows);
   }
   return failures;
 }
