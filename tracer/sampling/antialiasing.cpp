@@ -306,6 +306,7 @@ void render_block_method2(const PixelSampler& sampler, const SampleContrast& con
     }
   }
   EdgeSamples::Samples right_edge;
+  right_edge.reserve(left.size());
   for (int j = 0; j < rows; ++j) right_edge.push_back(corners[(j + 1) * columns - 1]);
   edges.give(block, std::move(right_edge), {corners.end() - columns, corners.end()});
   PixelSubdivision subdivision(sampler, contrast, options, block.left, block.right, statistics);
