@@ -39,7 +39,7 @@ RasterFile read_gif(const std::string& path) {
     for (int i = 0; i < colors->ColorCount; ++i) {
       const GifColorType& c = colors->Colors[i];
       const bool transparent = has_control && control.TransparentColor == i;
-      file.palette.push_back({c.Red, c.Green, c.Blue, transparent ? uint8_t{0} : uint8_t{255}});
+      file.add_to_palette({c.Red, c.Green, c.Blue, transparent ? uint8_t{0} : uint8_t{255}});
     }
   }
   giflib().DGifCloseFile(gif, &code);

@@ -71,11 +71,11 @@ Image::Image(std::shared_ptr<const RasterFile> raster, const ImageSource& source
   const auto decoded = [&](float v) { return decoding.needed ? transfer(v) : v; };
   if (file.is_palette()) {
     for (const auto& entry : file.palette) {
-      ColorRGBFT c{decoded(static_cast<float>(entry[0]) / 255.0f),
-                   decoded(static_cast<float>(entry[1]) / 255.0f),
-                   decoded(static_cast<float>(entry[2]) / 255.0f), 0,
-                   1 - static_cast<float>(entry[3]) / 255.0f};
-      opaque_ = opaque_ && entry[3] == 255;
+      ColorRGBFT c{decoded(static_cast<float>(entry[0]) / 65535.0f),
+                   decoded(static_cast<float>(entry[1]) / 65535.0f),
+                   decoded(static_cast<float>(entry[2]) / 65535.0f), 0,
+                   1 - static_cast<float>(entry[3]) / 65535.0f};
+      opaque_ = opaque_ && entry[3] == 65535;
       palette_.push_back(c);
     }
     // Indices beyond the palette are black.

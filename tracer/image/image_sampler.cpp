@@ -57,9 +57,9 @@ ImageSampler::ImageSampler(std::shared_ptr<const Image> image, const ImageSource
   for (int i = 0; i < 256; ++i) {
     const auto& entry = i < image_->palette_size()
                             ? image_->raster().palette[static_cast<size_t>(i)]
-                            : std::array<uint8_t, 4>{0, 0, 0, 255};
+                            : std::array<uint16_t, 4>{0, 0, 0, 65535};
     ColorRGBFT c;
-    c.transmit = 1 - static_cast<float>(entry[3]) / 255.0f;
+    c.transmit = 1 - static_cast<float>(entry[3]) / 65535.0f;
     palette_.push_back(c);
   }
   // In the order of the text.

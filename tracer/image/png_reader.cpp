@@ -36,8 +36,8 @@ void read_palette(png_structp png, png_infop info, RasterFile& file) {
   int transparent = 0;
   png_get_tRNS(png, info, &alpha, &transparent, nullptr);
   for (int i = 0; i < count; ++i) {
-    file.palette.push_back({colors[i].red, colors[i].green, colors[i].blue,
-                            i < transparent ? alpha[i] : uint8_t{255}});
+    const png_byte opacity = i < transparent ? alpha[i] : png_byte{255};
+    file.add_to_palette({colors[i].red, colors[i].green, colors[i].blue, opacity});
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <stdexcept>
 
 namespace durer {
 
@@ -25,24 +27,26 @@ ImageFileType image_type_of(const std::string& path) {
   return ImageFileType::png;
 }
 
-namespace {
-
-// Rounded as libtiff does it for POV-Ray, to whom every TIFF counts as premultiplied.
-template <typename Value>
-void premultiply(std::vector<Value>& values, int channels, uint32_t maximum) {
-  const size_t step = static_cast<size_t>(channels);
-  for (size_t i = 0; i + step <= values.size(); i += step) {
-    const uint32_t alpha = values[i + step - 1];
-    for (size_t c = 0; c + 1 < step; ++c) {
-      values[i + c] = static_cast<Value>((values[i + c] * alpha + maximum / 2) / maximum);
-    }
-  }
+void check_size(const std::string& path, int64_t width, int64_t height) {
+  constexpr int64_t kAlwaysTaken = int64_t{1} << 26, kLargest = int64_t{1} << 32;
+  constexpr int64_t kPixelsPerByte = 4096;  // deflate, the best of them, makes 1032 bytes of one
+  if (width <= 0 || height <= 0 || width >= kLargest / height)
+    throw std::runtime_error("the image '" + path + "' has an impossible size");
+  std::error_code ignored;
+  const auto bytes = static_cast<int64_t>(std::filesystem::file_size(path, ignored));
+  if (width * height > std::max(kAlwaysTaken, kPixelsPerByte * bytes))
+    throw std::runtime_error("the image '" + path + "' is too short for its size");
 }
 
+namespace {
+
+// Every TIFF counts as premultiplied to POV-Ray. Integers have been multiplied by libtiff.
 void premultiply(RasterFile& file) {
   if (!file.has_alpha()) return;
-  if (file.bits == 8) premultiply(file.bytes, file.channels, 255);
-  if (file.bits == 16) premultiply(file.words, file.channels, 65535);
+  const size_t step = static_cast<size_t>(file.channels);
+  for (size_t i = 0; i + step <= file.floats.size(); i += step) {
+    for (size_t c = 0; c + 1 < step; ++c) file.floats[i + c] *= file.floats[i + step - 1];
+  }
 }
 
 }  // namespace
@@ -71,6 +75,8 @@ RasterFile read_raster(const std::string& path, ImageFileType type) {
     case ImageFileType::bmp: file = read_tga_or_bmp(path); break;
     case ImageFileType::hdr: file = read_hdr(path); break;
     case ImageFileType::gif: file = read_gif(path); break;
+    case ImageFileType::tiff: file = read_tiff(path); break;
+    case ImageFileType::exr: file = read_exr(path); break;
     case ImageFileType::pot: file = read_pot(path); break;
     default: file = read_with_openimageio(path); break;
   }

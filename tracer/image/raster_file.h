@@ -27,11 +27,16 @@ struct RasterFile {
   std::vector<uint16_t> words;
   std::vector<float> floats;
   // Colour-mapped: bytes holds one index per pixel, channels is 1.
-  std::vector<std::array<uint8_t, 4>> palette;
+  // Its entries are RGBA, 65535 is full light.
+  std::vector<std::array<uint16_t, 4>> palette;
   FileGamma gamma;
   bool straight_alpha = false;  // the file says that colours are not multiplied by alpha
   ImageFileType type = ImageFileType::png;
 
+  void add_to_palette(const std::array<uint8_t, 4>& rgba) {
+    auto& entry = palette.emplace_back();
+    for (size_t c = 0; c < 4; ++c) entry[c] = static_cast<uint16_t>(rgba[c] * 257);
+  }
   bool is_palette() const { return !palette.empty(); }
   bool has_alpha() const { return channels == 2 || channels == 4; }
 };
@@ -44,6 +49,10 @@ std::shared_ptr<const RasterFile> raster_of(const ImageSource& source);
 // By the name's extension; PNG where that says nothing.
 ImageFileType image_type_of(const std::string& path);
 
+// Throws if a file claims a size that it cannot hold however well it is compressed, before memory is
+// taken for it.
+void check_size(const std::string& path, int64_t width, int64_t height);
+
 RasterFile read_png(const std::string& path);
 // `ppm` means colours (P3, P6), `pgm` greys (P2, P5).
 RasterFile read_pnm(const std::string& path, ImageFileType type);
@@ -53,6 +62,8 @@ RasterFile read_hdr(const std::string& path);
 RasterFile read_gif(const std::string& path);
 // A word-valued picture in the two halves of a gif's lines (spec/geometry.md 12.14).
 RasterFile read_pot(const std::string& path);
+RasterFile read_tiff(const std::string& path);
+RasterFile read_exr(const std::string& path);
 // All other formats: through the module that holds OpenImageIO, loaded when first needed.
 RasterFile read_with_openimageio(const std::string& path);
 

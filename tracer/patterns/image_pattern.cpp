@@ -15,11 +15,17 @@
 namespace durer {
 namespace {
 
+// TIFF and OpenEXR are kept as RGBA, alpha in the file or not; a TIFF's palette has none.
+bool has_alpha_to_povray(const Image& image) {
+  if (image.type() == ImageFileType::tiff) return !image.is_palette();
+  return image.has_alpha() || image.is_palette() || image.type() == ImageFileType::exr;
+}
+
 class ImagePattern : public BasePattern {
  public:
   ImagePattern(std::shared_ptr<const Image> image, const ImageSource& source)
       : sampler_(std::move(image), source), use_alpha_(source.use_alpha) {
-    has_alpha_ = sampler_.image().has_alpha() || sampler_.image().is_palette();
+    has_alpha_ = has_alpha_to_povray(sampler_.image());
   }
   double base_value(const Vec3& p, const PatternContext&) const override {
     double x, y;
