@@ -1,6 +1,8 @@
 #include "tracer/shapes/height_grid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "tracer/image/image.h"
 
@@ -12,7 +14,7 @@ class RawHeight {
  public:
   explicit RawHeight(const Image& image)
       : image_(image),
-        is_pair_of_bytes_(image.raster().bits == 8 && image.raster().channels >= 3),
+        is_pair_of_bytes_(image.raster().bits != 16 && image.raster().channels >= 3),
         is_grey_(image.raster().channels < 3) {}
 
   uint16_t operator()(int x, int y) const {
@@ -27,8 +29,11 @@ class RawHeight {
   }
 
  private:
+  // Floats above 1 and below 0 wrap around.
   static uint16_t stored(double value) {
-    return static_cast<uint16_t>(std::clamp(value, 0.0, 65535.0));
+    constexpr double kLimit = 2147483648.0;
+    return std::abs(value) < kLimit ? static_cast<uint16_t>(static_cast<int32_t>(value))
+                                    : uint16_t{0};
   }
 
   const Image& image_;
