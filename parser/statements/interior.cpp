@@ -8,10 +8,13 @@
 
 namespace durer {
 
-std::shared_ptr<const InteriorNode> parse_interior(Parser& parser) {
+std::shared_ptr<const InteriorNode> parse_interior(
+    Parser& parser, const std::shared_ptr<const InteriorNode>& start) {
   parser.expect_open("interior");
-  const auto named = parser.accept_identifier<InteriorNode>(ValueKind::interior);
-  auto node = named ? std::make_shared<InteriorNode>(*named) : std::make_shared<InteriorNode>();
+  auto node = start ? std::make_shared<InteriorNode>(*start) : std::make_shared<InteriorNode>();
+  if (const auto named = parser.accept_identifier<InteriorNode>(ValueKind::interior)) {
+    *node = *named;
+  }
   node->position = parser.position();
   auto number = [&] { return static_cast<float>(parser.parse_float()); };
   for (;;) {
@@ -43,28 +46,34 @@ std::shared_ptr<const InteriorNode> parse_interior(Parser& parser) {
   return node;
 }
 
-std::shared_ptr<const MaterialNode> parse_material(Parser& parser) {
+namespace {
+
+void put_on_top(Parser& parser, TexturePtr& texture, const TexturePtr& top) {
+  if (top) texture = texture ? layer_texture(parser, texture, top) : top;
+}
+
+}  // namespace
+
+std::shared_ptr<const MaterialNode> parse_material(Parser& parser, const MaterialNode& start) {
   parser.expect_open("material");
-  const auto named = parser.accept_identifier<MaterialNode>(ValueKind::material);
-  auto node = named ? std::make_shared<MaterialNode>(*named) : std::make_shared<MaterialNode>();
+  auto node = std::make_shared<MaterialNode>(start);
+  if (const auto named = parser.accept_identifier<MaterialNode>(ValueKind::material)) {
+    put_on_top(parser, node->texture, named->texture);
+    put_on_top(parser, node->interior_texture, named->interior_texture);
+    node->interior = named->interior;  // also where it has none
+  }
   Transform transform;
   for (;;) {
     if (parser.accept(Keyword::texture)) {
-      const TexturePtr top = parse_texture(parser);
-      node->texture = node->texture ? layer_texture(parser, node->texture, top) : top;
+      put_on_top(parser, node->texture, parse_texture(parser));
     } else if (parser.accept(Keyword::interior_texture)) {
-      const TexturePtr top = parse_texture(parser);
-      node->interior_texture =
-          node->interior_texture ? layer_texture(parser, node->interior_texture, top) : top;
+      put_on_top(parser, node->interior_texture, parse_texture(parser));
     } else if (parser.accept(Keyword::interior)) {
-      node->interior = parse_interior(parser);
-    } else if (parser.at_any({Keyword::pigment, Keyword::normal, Keyword::finish})) {
-      const Keyword part = parser.next().keyword;
-      node->texture =
-          parse_texture_part(parser, part, node->texture ? node->texture : default_texture(parser));
+      node->interior = parse_interior(parser, node->interior);
     } else if (accept_transformation(parser, transform)) {
       // The interior texture stays where it is (spec/textures.md 15.2).
-      node->texture = transformed(node->texture, transform);
+      node->texture = transformed(node->texture, transform, PlainColors::move);
+      node->interior = transformed(node->interior, transform);
     } else {
       break;
     }

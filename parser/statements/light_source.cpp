@@ -80,6 +80,7 @@ class LightReader {
       light_.tightness = 0;
     } else if (parser_.accept(Keyword::cylinder)) {
       light_.kind = LightKind::cylinder;
+      light_.parallel = true;  // and stays so if another kind follows
       light_.shadowless = false;
       light_.radius = 0.75;
       light_.falloff = 1;

@@ -55,10 +55,11 @@ class NormalReader {
       node_.pattern.edit().object = require_object(parser_);
       read_list(2);
       parser_.expect_close("object");
+      read_amount();
     } else if (accept_pattern(parser_, node_.pattern.edit(), PatternUse::normal)) {
       if (const int count = list_length(node_.pattern->kind)) {
         read_list(count);
-        if (!node_.normal_map) read_amount();
+        read_amount();
       } else {
         read_amount();
       }

@@ -127,7 +127,7 @@ void ObjectBuilder::set_texture(TexturePtr texture) { add(SetTexture{std::move(t
 // The texture that `pigment{}` and its like change: the object's, or a copy of the default one.
 TexturePtr ObjectBuilder::texture_to_modify() {
   if (node_->modifiers.empty() && !node_->base) return default_texture(parser_);
-  const TexturePtr texture = resolve_textures(*node_).texture;
+  const TexturePtr texture = resolve_textures(*node_, PlainColors::move).texture;
   if (texture && texture->kind != TextureNode::Kind::plain) {
     parser_.error("a patterned texture cannot be changed by a pigment, normal or finish here");
   }
@@ -160,17 +160,20 @@ bool ObjectBuilder::accept_texture_item(Keyword keyword) {
     }
     case Keyword::interior:
       parser_.next();
-      add(SetInterior{parse_interior(parser_)});
+      add(SetInterior{parse_interior(parser_, resolve_textures(*node_).interior)});
       return true;
     case Keyword::material: {
       parser_.next();
-      const auto material = parse_material(parser_);
+      // It adds to what the object has: another layer, further items of the interior.
+      const ResolvedTextures surface = resolve_textures(*node_, PlainColors::move);
+      const auto material = parse_material(
+          parser_, {surface.texture, surface.interior_texture, surface.interior});
       if (material->texture) set_texture(material->texture);
       if (material->interior_texture) {
         add(SetInteriorTexture{material->interior_texture});
         interior_texture_given_ = true;
       }
-      if (material->interior) add(SetInterior{material->interior});
+      if (material->interior != surface.interior) add(SetInterior{material->interior});
       return true;
     }
     case Keyword::uv_mapping:

@@ -123,7 +123,7 @@ class TextureReader {
   bool accept_transform() {
     Transform transform;
     if (accept_transformation(parser_, transform)) {
-      texture_ = transformed(texture_, transform);
+      texture_ = transformed(texture_, transform, PlainColors::move);
       return true;
     }
     if (parser_.accept(Keyword::no_bump_scale)) {

@@ -33,8 +33,10 @@ TexturePtr default_texture(Parser& parser);
 // Puts a texture on top of another; errors where one is patterned.
 TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TexturePtr& top);
 
-std::shared_ptr<const InteriorNode> parse_interior(Parser& parser);
-std::shared_ptr<const MaterialNode> parse_material(Parser& parser);
+// `start`: what the object has already; null: nothing.
+std::shared_ptr<const InteriorNode> parse_interior(
+    Parser& parser, const std::shared_ptr<const InteriorNode>& start = nullptr);
+std::shared_ptr<const MaterialNode> parse_material(Parser& parser, const MaterialNode& start = {});
 std::shared_ptr<const MediaNode> parse_media(Parser& parser);
 std::shared_ptr<const PigmentNode> parse_density(Parser& parser);
 

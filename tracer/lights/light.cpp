@@ -36,8 +36,7 @@ LightDirection Light::along_axis(const Vec3& point, const Vec3& center) const {
   return {direction, dot(center - point, direction)};
 }
 
-double Light::attenuation_of_shape(const Vec3& point, const Vec3& center,
-                                   const LightDirection& to_light) const {
+double Light::attenuation_of_shape(const Vec3& point, const LightDirection& to_light) const {
   double result = 1;
   if (node_.kind == LightKind::spot) {
     double cosine = node_.parallel ? 1.0 : -dot(to_light.direction, axis_);
@@ -48,7 +47,8 @@ double Light::attenuation_of_shape(const Vec3& point, const Vec3& center,
       result *= smooth_step(cos_falloff_, cos_radius_, cosine);
     }
   } else if (node_.kind == LightKind::cylinder) {
-    const Vec3 from_center = point - center;
+    // One cylinder, also where every sample of an area light shines by itself.
+    const Vec3 from_center = point - node_.location;
     const double along = dot(from_center, axis_);
     if (along <= 0) return 0;
     const double radial = std::sqrt(std::max(0.0, dot(from_center, from_center) - along * along));
@@ -75,7 +75,7 @@ AreaLightGrid::AreaLightGrid(const Light& light, const Vec3& point)
       step2(light.grid_step2()) {
   if (!node.orient) return;
   // Turn the disc towards the point; its diameter is the first axis.
-  const Vec3 towards = normalize_or_zero(node.location - point);
+  const Vec3 towards = light.direction_from(point, node.location).direction;
   const Vec3 helper = std::abs(std::abs(towards.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
   const double diameter = length(axis1);
   const Vec3 first = normalize_or_zero(cross(towards, helper));

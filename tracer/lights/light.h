@@ -24,8 +24,8 @@ class Light {
     return is_directed_ ? along_axis(point, center) : towards(center - point);
   }
   // Cone, cylinder and distance attenuation of 9.2 for a direction as above.
-  double attenuation(const Vec3& point, const Vec3& center, const LightDirection& to_light) const {
-    return is_attenuated_ ? attenuation_of_shape(point, center, to_light) : 1;
+  double attenuation(const Vec3& point, const LightDirection& to_light) const {
+    return is_attenuated_ ? attenuation_of_shape(point, to_light) : 1;
   }
   // The direction in which the light shines (spot, cylinder, parallel).
   const Vec3& axis() const { return axis_; }
@@ -39,8 +39,7 @@ class Light {
     return {distance > 0 ? to_center * (1 / distance) : to_center, distance};
   }
   LightDirection along_axis(const Vec3& point, const Vec3& center) const;
-  double attenuation_of_shape(const Vec3& point, const Vec3& center,
-                              const LightDirection& to_light) const;
+  double attenuation_of_shape(const Vec3& point, const LightDirection& to_light) const;
 
   LightNode node_;
   bool is_directed_;    // rays run along the axis

@@ -17,13 +17,14 @@ const ShapeNode& shape_of(const ObjectNode& object) {
 
 namespace {
 
-void apply_modifiers(const ObjectNode& node, ResolvedTextures& state) {
+void apply_modifiers(const ObjectNode& node, PlainColors plain, ResolvedTextures& state) {
   for (const Modifier& modifier : node.modifiers) {
     if (const auto* transform = std::get_if<Rare<Transform>>(&modifier)) {
+      state.interior = transformed(state.interior, *transform);
       // A uv-mapped texture stays with the surface.
       if (state.uv_mapping) continue;
-      state.texture = transformed(state.texture, *transform);
-      state.interior_texture = transformed(state.interior_texture, *transform);
+      state.texture = transformed(state.texture, *transform, plain);
+      state.interior_texture = transformed(state.interior_texture, *transform, plain);
     } else if (const auto* texture = std::get_if<SetTexture>(&modifier)) {
       state.texture = texture->texture;
     } else if (const auto* inner = std::get_if<SetInteriorTexture>(&modifier)) {
@@ -38,10 +39,10 @@ void apply_modifiers(const ObjectNode& node, ResolvedTextures& state) {
 
 }  // namespace
 
-ResolvedTextures resolve_textures(const ObjectNode& object) {
+ResolvedTextures resolve_textures(const ObjectNode& object, PlainColors plain) {
   if (!object.base) {
     ResolvedTextures state;
-    apply_modifiers(object, state);
+    apply_modifiers(object, plain, state);
     return state;
   }
   // From the shape's own statement to the last copy.
@@ -49,7 +50,7 @@ ResolvedTextures resolve_textures(const ObjectNode& object) {
   for (const ObjectNode* node = &object; node; node = node->base.get()) chain.push_back(node);
   ResolvedTextures state;
   while (!chain.empty()) {
-    apply_modifiers(*chain.back(), state);
+    apply_modifiers(*chain.back(), plain, state);
     chain.pop_back();
   }
   return state;

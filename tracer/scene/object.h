@@ -68,7 +68,8 @@ struct ResolvedTextures {
   std::shared_ptr<const InteriorNode> interior;
   bool uv_mapping = false;
 };
-ResolvedTextures resolve_textures(const ObjectNode& object);
+ResolvedTextures resolve_textures(const ObjectNode& object,
+                                  PlainColors plain = PlainColors::stay);
 // The shape at the end of the chain of copies.
 const ShapeNode& shape_of(const ObjectNode& object);
 

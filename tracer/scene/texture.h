@@ -132,12 +132,18 @@ struct TextureNode {
 
 using TexturePtr = std::shared_ptr<const TextureNode>;
 
+// A plain colour looks the same wherever it is moved; a pigment{} that is written later and gives
+// it a pattern starts with its transforms (decision 0066).
+enum class PlainColors : uint8_t { stay, move };
+
 // The same after `transform` (acts on every layer; spec/textures.md 15.2).
 std::shared_ptr<const PigmentNode> transformed(const std::shared_ptr<const PigmentNode>& pigment,
-                                               const Transform& transform);
+                                               const Transform& transform,
+                                               PlainColors plain = PlainColors::stay);
 std::shared_ptr<const NormalNode> transformed(const std::shared_ptr<const NormalNode>& normal,
                                               const Transform& transform);
-TexturePtr transformed(const TexturePtr& texture, const Transform& transform);
+TexturePtr transformed(const TexturePtr& texture, const Transform& transform,
+                       PlainColors plain = PlainColors::stay);
 
 struct InteriorNode {
   float ior = 0;  // 0: not set
@@ -151,6 +157,10 @@ struct InteriorNode {
   std::vector<std::shared_ptr<const MediaNode>> media;
   SourcePosition position;
 };
+
+// The same with the densities of its media moved.
+std::shared_ptr<const InteriorNode> transformed(const std::shared_ptr<const InteriorNode>& interior,
+                                                const Transform& transform);
 
 struct MaterialNode {
   TexturePtr texture;

@@ -27,7 +27,7 @@ class DirectLight {
     const bool per_sample =
         node.area_illumination && node.area && scene_.options.quality >= 5;
     const double attenuation =
-        per_sample ? 1 : light.attenuation(point, node.location, result.direction);
+        per_sample ? 1 : light.attenuation(point, result.direction);
     result.color = node.color * static_cast<float>(attenuation);
     return result;
   }

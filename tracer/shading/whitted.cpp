@@ -444,7 +444,7 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
         const Vec3 center = grid.sample(i, j, path_random(ray.path, purpose, 2 * cell),
                                         path_random(ray.path, purpose, 2 * cell + 1));
         const LightDirection to_sample = light.direction_from(point, center);
-        const float attenuation = static_cast<float>(light.attenuation(point, center, to_sample));
+        const float attenuation = static_cast<float>(light.attenuation(point, to_sample));
         bool behind = false;
         if (!hit.surface.object->double_illuminate && dot(normal, to_sample.direction) < kEpsilon) {
           if (finish.diffuse_back == 0) continue;

@@ -82,7 +82,8 @@ bool encloses(const Bounds& box, const Bounds& surface) {
 
 // Some shapes are, where there is no hierarchy.
 bool is_seen_outside_box(const GeometryNode& node, const ObjectSet& set) {
-  return !set.uses_bounding && node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test();
+  return !set.uses_bounding && node.kind == NodeKind::shape &&
+         node.shape->is_exempt_from_box_test();
 }
 
 // The finish of a plain texture has a say in the interior (spec/shading.md 11.2): of the top layer
@@ -119,8 +120,8 @@ int InteriorTable::add_copy(int number) {
   return static_cast<int>(kind_of_.size() - 1);
 }
 
-WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options,
-                           TexturePtr default_texture, const TextureSettings& textures)
+WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options, TexturePtr default_texture,
+                           const TextureSettings& textures)
     : data_(data),
       options_(options),
       default_texture_(std::move(default_texture)),
@@ -271,18 +272,8 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
   } else if (object.interior || parent_interior < 0) {
     WorldInterior fresh;
     if (object.interior) {
-      fresh.node = object.interior;
-      if (object.interior_moved) {
-        auto moved = std::make_shared<InteriorNode>(*object.interior);
-        for (auto& media : moved->media) {
-          auto copy = std::make_shared<MediaNode>(*media);
-          for (auto& density : copy->densities) {
-            density = transformed(density, object.interior_transform);
-          }
-          media = copy;
-        }
-        fresh.node = moved;
-      }
+      fresh.node = object.interior_moved ? transformed(object.interior, object.interior_transform)
+                                         : object.interior;
       // Without an ior there is no dispersion either.
       if (fresh.node->ior != 0) {
         fresh.ior = static_cast<double>(fresh.node->ior);
@@ -508,7 +499,8 @@ void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
     if (is_seen_outside_box(node, set)) continue;
     top.is_cut_off = !node.surface_is_bounded || !encloses(top.box.to_bounds(), node.reach);
   }
-  fill_search_list(data_.geometry, set, [](uint32_t) { return true; }, {}, set.all);
+  fill_search_list(
+      data_.geometry, set, [](uint32_t) { return true; }, {}, set.all);
 }
 
 Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevelObject& top) {
