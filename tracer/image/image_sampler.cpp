@@ -163,8 +163,9 @@ Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
     double wx[4], wy[4];
     weights(f, wx);
     weights(g, wy);
-    for (int n = 0; n < 4; ++n)
-      for (int m = 0; m < 4; ++m)
+    // In povray's order, which decides whether indices come out whole.
+    for (int m = 0; m < 4; ++m)
+      for (int n = 0; n < 4; ++n)
         sum = sum + at(i - 2 + m, j - 2 + n) * static_cast<Weight>(wx[m] * wy[n]);
     return sum;
   }
@@ -192,8 +193,12 @@ ColorRGBFT ImageSampler::color(double x, double y) const {
 }
 
 int ImageSampler::index(double x, double y) const {
-  return static_cast<int>(interpolate<double>(
-      x, y, [this](int i, int j) { return static_cast<double>(image_->index(i, j)); }));
+  // Without a palette every index is -1, and the interpolated one 0 where the weights sum to
+  // less than 1.
+  const bool has_indices = image_->is_palette();
+  return static_cast<int>(interpolate<double>(x, y, [&](int i, int j) {
+    return has_indices ? static_cast<double>(image_->index(i, j)) : -1.0;
+  }));
 }
 
 }  // namespace durer

@@ -50,9 +50,12 @@ class MaterialSelector final : public TextureSelector {
     double x, y;
     int number = 0;
     if (sampler_.locate(child_point, x, y)) {
-      number = sampler_.image().is_palette()
-                   ? sampler_.index(x, y)
-                   : static_cast<int>(sampler_.color(x, y).red * 255);
+      number = sampler_.index(x, y);
+      // Texture 0 where the index of an image without a palette is lost in its interpolation, as
+      // povray has it; else the number is in the red of the pixel.
+      if (number != 0 && !sampler_.image().is_palette()) {
+        number = static_cast<int>(sampler_.color(x, y).red * 255);
+      }
     }
     const int count = static_cast<int>(materials_.size());
     if (number > count) number %= count;

@@ -270,7 +270,7 @@ class BumpMapNormal : public CompiledNormal {
         sampler_(settings.patterns.images->get(*node.pattern->image, ImageUse::raw),
                  *node.pattern->image),
         amount_(static_cast<double>(node.bump_size)),
-        use_index_(node.pattern->image->use_index && sampler_.image().is_palette()) {}
+        use_index_(node.pattern->image->use_index) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext&, const Vec3& normal) const override {
     double x, y;
@@ -296,7 +296,10 @@ class BumpMapNormal : public CompiledNormal {
 
  private:
   double grey(double x, double y) const {
-    if (use_index_) return sampler_.index(x, y);
+    if (use_index_) {
+      // -1: the image has no palette.
+      if (const int index = sampler_.index(x, y); index != -1) return index;
+    }
     return static_cast<double>(sampler_.color(x, y).rgb().grey());
   }
 

@@ -174,7 +174,9 @@ void ResolvedObject::move(const Transform& by) {
   }
   for (ResolvedObject& clip : clips) clip.move(by);
   if (kind == Kind::shape) {
-    if (is_quadric) {
+    // A mesh's box grows with every turn, too: its vertices are not asked again.
+    const bool is_mesh = shape && std::holds_alternative<Rare<MeshNode>>(*written);
+    if (is_quadric || is_mesh) {
       if (!box.is_infinite()) box = box.transformed(by);
     } else {
       recompute_box();

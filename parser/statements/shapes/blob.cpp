@@ -1,4 +1,6 @@
 // blob (spec/geometry.md 12.7).
+#include <cmath>
+
 #include "parser/parser.h"
 #include "parser/statements/shapes/shape_parsers.h"
 #include "parser/statements/textures.h"
@@ -15,12 +17,31 @@ double parse_strength(Parser& parser) {
   return strength;
 }
 
+// What leaves a sphere a sphere moves its centre and radius; its reported box depends on it.
+bool moves_sphere(Keyword keyword, const Transform& transform) {
+  if (keyword == Keyword::translate || keyword == Keyword::rotate) return true;
+  const Vec3 by = transform.direction({1, 1, 1});
+  return keyword == Keyword::scale && by.x == by.y && by.y == by.z;
+}
+
+void move_component(BlobComponent& component, Keyword keyword, const Transform& transform) {
+  if (component.is_cylinder || !component.transform.is_identity() ||
+      !moves_sphere(keyword, transform)) {
+    component.transform = component.transform.then(transform);
+    return;
+  }
+  component.center = transform.point(component.center);
+  if (keyword == Keyword::scale) component.radius *= std::abs(transform.direction({1, 0, 0}).x);
+}
+
 // Transformations and textures of one component, up to its brace.
 void parse_component_modifiers(Parser& parser, BlobComponent& component, const char* what) {
   Transform transform;
   for (;;) {
+    const Token& token = parser.peek();
+    const Keyword keyword = token.kind == TokenKind::keyword ? token.keyword : Keyword::sphere;
     if (accept_transformation(parser, transform)) {
-      component.transform = component.transform.then(transform);
+      move_component(component, keyword, transform);
       component.texture = transformed(component.texture, transform);
     } else if (parser.accept(Keyword::texture)) {
       const TexturePtr top = parse_texture(parser);
