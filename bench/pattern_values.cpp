@@ -19,30 +19,31 @@ Pattern pattern_of(PatternKind kind) {
   return {node, {}};
 }
 
-void eight_calls(benchmark::State& state) {
-  const Pattern pattern = pattern_of(static_cast<PatternKind>(state.range(0)));
+template <typename Evaluate>
+void measure(benchmark::State& state, const Evaluate& evaluate) {
+  const auto kind = static_cast<PatternKind>(state.range(0));
+  const Pattern pattern = pattern_of(kind);
   Vec3 points[8];
   double out[8];
   int round = 0;
   for (auto _ : state) {
     fill(points, ++round & 1023);
-    for (int i = 0; i < 8; ++i) out[i] = pattern.value(points[i]);
+    evaluate(pattern, points, out);
     benchmark::DoNotOptimize(out);
   }
-  state.SetLabel(std::string(pattern_name(static_cast<PatternKind>(state.range(0)))));
+  state.SetLabel(std::string(pattern_name(kind)));
+}
+
+void eight_calls(benchmark::State& state) {
+  measure(state, [](const Pattern& pattern, const Vec3* points, double* out) {
+    for (int i = 0; i < 8; ++i) out[i] = pattern.value(points[i]);
+  });
 }
 
 void one_batch(benchmark::State& state) {
-  const Pattern pattern = pattern_of(static_cast<PatternKind>(state.range(0)));
-  Vec3 points[8];
-  double out[8];
-  int round = 0;
-  for (auto _ : state) {
-    fill(points, ++round & 1023);
+  measure(state, [](const Pattern& pattern, const Vec3* points, double* out) {
     pattern.values(points, out);
-    benchmark::DoNotOptimize(out);
-  }
-  state.SetLabel(std::string(pattern_name(static_cast<PatternKind>(state.range(0)))));
+  });
 }
 
 void kinds(benchmark::internal::Benchmark* benchmark) {

@@ -34,17 +34,23 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
+// The same picture through OpenImageIO.
+void expect_as_openimageio(RasterFile (&read)(const std::string&), const char* name) {
+  SCOPED_TRACE(name);
+  const RasterFile ours = read(kFolder + name);
+  const RasterFile theirs = read_with_openimageio(kFolder + name);
+  EXPECT_EQ(ours.width, theirs.width);
+  EXPECT_EQ(ours.height, theirs.height);
+  EXPECT_EQ(ours.channels, theirs.channels);
+  EXPECT_EQ(ours.bits, theirs.bits);
+  EXPECT_EQ(ours.bytes, theirs.bytes);
+  EXPECT_EQ(ours.floats, theirs.floats);
+}
+
 TEST(ImageFiles, TiffsOfBytesAreAsOpenImageIoReadsThem) {
   for (const char* name : {"grey.tif", "grey_white.tif", "grey_associated.tif", "rgb.tif",
                            "packbits.tif", "associated.tif"}) {
-    SCOPED_TRACE(name);
-    const RasterFile ours = read_tiff(kFolder + name);
-    const RasterFile theirs = read_with_openimageio(kFolder + name);
-    EXPECT_EQ(ours.width, theirs.width);
-    EXPECT_EQ(ours.height, theirs.height);
-    EXPECT_EQ(ours.channels, theirs.channels);
-    EXPECT_EQ(ours.bits, theirs.bits);
-    EXPECT_EQ(ours.bytes, theirs.bytes);
+    expect_as_openimageio(read_tiff, name);
   }
 }
 
@@ -69,14 +75,7 @@ TEST(ImageFiles, PalettesOfTiffsKeepIndicesAndWords) {
 TEST(ImageFiles, HalfFloatsOfExrsAreAsOpenImageIoReadsThem) {
   for (const char* name : {"none.exr", "zips.exr", "floats.exr", "grey.exr", "grey_alpha.exr",
                            "negative.exr", "window.exr"}) {
-    SCOPED_TRACE(name);
-    const RasterFile ours = read_exr(kFolder + name);
-    const RasterFile theirs = read_with_openimageio(kFolder + name);
-    EXPECT_EQ(ours.width, theirs.width);
-    EXPECT_EQ(ours.height, theirs.height);
-    EXPECT_EQ(ours.channels, theirs.channels);
-    EXPECT_EQ(ours.bits, theirs.bits);
-    EXPECT_EQ(ours.floats, theirs.floats);
+    expect_as_openimageio(read_exr, name);
   }
 }
 
