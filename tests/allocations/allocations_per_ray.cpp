@@ -2,8 +2,9 @@
 //
 // Each scene is read and made ready once. A first picture, which is not counted, fills the tables that
 // a thread keeps; then what the rendering thread allocates for 4 rows of pixels and for 16 must be the
-// same number. Both are one block, and what a block allocates for its columns is the same, too. Reading is not counted: OpenImageIO shares its work among threads
-// of its own and the caller's, so what that allocates varies from run to run by hundreds.
+// same number. Both are one block, and what a block allocates for its columns is the same, too.
+// Reading is not counted: OpenImageIO shares its work among threads of its own and the caller's, so
+// what that allocates varies from run to run by hundreds.
 //
 //     allocations_per_ray FOLDER [PART OF A NAME]
 #include <sys/types.h>
