@@ -133,7 +133,7 @@ struct TextureNode {
 using TexturePtr = std::shared_ptr<const TextureNode>;
 
 // A plain colour looks the same wherever it is moved; a pigment{} that is written later and gives
-// it a pattern starts with its transforms (decision 0066).
+// it a pattern starts with its transforms (decision 0067).
 enum class PlainColors : uint8_t { stay, move };
 
 // The same after `transform` (acts on every layer; spec/textures.md 15.2).
