@@ -75,15 +75,21 @@ class Builder {
     int count = 1;
     range[0] = whole;
     area[0] = whole.box.half_area();
-    while (count < 8) {
+    const auto widest_above = [&](uint32_t leaf_size) {
       int widest = -1;
       float most = -1;
       for (int i = 0; i < count; ++i) {
-        if (range[i].count() > kLeafSize && area[i] > most) {
+        if (range[i].count() > leaf_size && area[i] > most) {
           most = area[i];
           widest = i;
         }
       }
+      return widest;
+    };
+    while (count < 8) {
+      int widest = widest_above(kLeafSize);
+      // Room for a box to each item saves tests of items, and costs nothing.
+      if (widest < 0) widest = widest_above(1);
       if (widest < 0) break;
       split(range[widest], range[count]);
       area[widest] = range[widest].box.half_area();
