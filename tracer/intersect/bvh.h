@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracer/math/bounds.h"
+#include "tracer/math/min_max.h"
 
 namespace durer {
 
@@ -33,13 +34,13 @@ struct BvhRay {
   [[gnu::always_inline]] void clip(const Bounds& box, double& low, double& high) const {
     const double* plane = &box.min.x;
     for (uint32_t axis = 0; axis < 3; ++axis) {
-      // NaN (0·∞ in a face's plane) loses every comparison. Which face is nearer is looked up by
-      // number: processors cannot guess it.
+      // NaN (0·∞ in a face's plane) does not narrow the interval. Which face is nearer is looked up
+      // by number: processors cannot guess it.
       const uint32_t down = 3 * is_down[axis];
       const double near = (plane[axis + down] - origin[axis]) * inverse[axis];
       const double far = (plane[axis + 3 - down] - origin[axis]) * inverse[axis];
-      low = near > low ? near : low;
-      high = far < high ? far : high;
+      low = larger_of(near, low);
+      high = smaller_of(far, high);
     }
   }
 

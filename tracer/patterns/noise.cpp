@@ -7,7 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "tracer/math/kernel.h"
 #include "tracer/math/lattice_hash.h"
+#include "tracer/math/min_max.h"
 
 namespace durer {
 namespace {
@@ -50,16 +52,6 @@ constexpr double kLatticeFigures[267] = {
     0.236042, -0.246937, 0.659449, -0.027512, 0.821897, -0.226215, 0.0181735, 0.500481,
     -0.420127, -0.427878, 0.566186,
 };
-
-// The kernels are compiled for plain x86-64 and for AVX2 and chosen when the program starts: the same
-// expressions in the same order give the same bits. Sanitizers cannot run that choice.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define DURER_KERNEL __attribute__((target_clones("default", "arch=x86-64-v3")))
-#else
-#define DURER_KERNEL
-#endif
-#define DURER_INLINE [[gnu::always_inline]] inline
 
 using Pair = double __attribute__((vector_size(16)));
 using Row = double __attribute__((vector_size(32)));
@@ -151,7 +143,7 @@ DURER_INLINE double lattice_noise(const Vec3& p) {
   return total(sum);
 }
 
-DURER_INLINE double clamped(double v) { return v < 0 ? 0 : v > 1 ? 1 : v; }
+DURER_INLINE double clamped(double v) { return smaller_of(larger_of(v, 0), 1); }
 DURER_INLINE double corrected_noise(const Vec3& p) {
   return clamped((lattice_noise(p) + 1.05242) * 0.48985582);
 }
