@@ -67,38 +67,4 @@ double Light::attenuation_of_shape(const Vec3& point, const LightDirection& to_l
   return result;
 }
 
-AreaLightGrid::AreaLightGrid(const Light& light, const Vec3& point)
-    : node(light.node()),
-      axis1(light.node().axis1),
-      axis2(light.node().axis2),
-      step1(light.grid_step1()),
-      step2(light.grid_step2()) {
-  if (!node.orient) return;
-  // Turn the disc towards the point; its diameter is the first axis.
-  const Vec3 towards = light.direction_from(point, node.location).direction;
-  const Vec3 helper = std::abs(std::abs(towards.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-  const double diameter = length(axis1);
-  const Vec3 first = normalize_or_zero(cross(towards, helper));
-  axis1 = first * diameter;
-  axis2 = normalize_or_zero(cross(towards, first)) * diameter;
-}
-
-Vec3 AreaLightGrid::sample(int i, int j, double jitter_i, double jitter_j) const {
-  double u = i, v = j;
-  if (node.jitter) {
-    u += jitter_i - 0.5;
-    v += jitter_j - 0.5;
-  }
-  u = step1 > 0 ? u * step1 - 0.5 : 0.0;
-  v = step2 > 0 ? v * step2 - 0.5 : 0.0;
-  if (node.circular) {
-    u += 0.001;
-    v += 0.001;
-    const double scale = std::max(std::abs(u), std::abs(v)) / std::sqrt(u * u + v * v);
-    u *= scale;
-    v *= scale;
-  }
-  return node.location + u * axis1 + v * axis2;
-}
-
 }  // namespace durer

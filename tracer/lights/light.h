@@ -27,6 +27,8 @@ class Light {
   double attenuation(const Vec3& point, const LightDirection& to_light) const {
     return is_attenuated_ ? attenuation_of_shape(point, to_light) : 1;
   }
+  // Rays run along the axis: parallel light and cylinders.
+  bool is_directed() const { return is_directed_; }
   // The direction in which the light shines (spot, cylinder, parallel).
   const Vec3& axis() const { return axis_; }
   // From one sample of an area light's grid to the next, as a share of its axis.
@@ -42,22 +44,11 @@ class Light {
   double attenuation_of_shape(const Vec3& point, const LightDirection& to_light) const;
 
   LightNode node_;
-  bool is_directed_;    // rays run along the axis
+  bool is_directed_;
   bool is_attenuated_;  // by its shape or by distance
   Vec3 axis_{0, 0, 1};
   double cos_radius_ = 1, cos_falloff_ = 1;
   double grid_step1_ = 0, grid_step2_ = 0;
-};
-
-// An area light's grid as seen from one point (9.3): sizes, axes after `orient`.
-struct AreaLightGrid {
-  AreaLightGrid(const Light& light, const Vec3& point);
-  // Position of the sample at (i, j), displaced by jitter numbers in [0,1) when the light jitters.
-  Vec3 sample(int i, int j, double jitter_i, double jitter_j) const;
-
-  const LightNode& node;
-  Vec3 axis1, axis2;
-  double step1, step2;  // of the grid, in axes; 0: one row or column only
 };
 
 }  // namespace durer

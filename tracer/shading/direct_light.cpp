@@ -1,9 +1,6 @@
 #include "tracer/shading/direct_light.h"
 
-#include <array>
 #include <cmath>
-
-#include "tracer/math/uncleared.h"
 
 namespace durer {
 namespace {
@@ -12,14 +9,9 @@ constexpr double kShadowTolerance = 1e-3;
 // World::closest_hit itself passes over the first 1e-4.
 constexpr double kShadowStart = kShadowTolerance - 1e-4;
 constexpr double kEpsilon = 1e-10;
-constexpr uint32_t kPurposeAreaLight = 1;
 
 bool is_dark(const RGB& c, double limit = kEpsilon) {
   return std::abs(c.red) < limit && std::abs(c.green) < limit && std::abs(c.blue) < limit;
-}
-
-double color_distance(const RGB& a, const RGB& b) {
-  return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
 }
 
 // Filters of all layers multiply; `caustics` brightens where the light crosses head-on.
@@ -139,31 +131,9 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
   if (scene_.world->occluded_by_opaque(
           point, to_light.direction, to_light.distance - std::max(margin, kShadowTolerance), index)) {
     color = RGB(0.0f);
-    return;
-  }
-  if (scene_.world->has_remembered_casters() &&
-      scene_.world->lights()[static_cast<size_t>(index)].light_group < 0) {
-    filter_remembered(point, to_light, margin, ray, color);
-    if (is_dark(color)) return;
-  }
-  if (scene_.world->has_clear_casters() || scene_.atmosphere.has_fog()) {
+  } else if (scene_.world->has_clear_casters() || scene_.atmosphere.has_fog()) {
     filter_shadow(index, point, to_light, margin, ray, color);
   }
-}
-
-// What POV-Ray remembers to have stopped a light is asked first: where the ray meets a clear part
-// of it, the light is filtered there, and once more when its turn comes.
-void DirectLight::filter_remembered(const Vec3& point, const LightDirection& to_light,
-                                    double margin, const TracedRay& ray, RGB& color) const {
-  Hit hit;
-  if (!scene_.world->closest_hit_of_remembered(point, to_light.direction,
-                                               to_light.distance - margin, hit)) {
-    return;
-  }
-  SurfacePoint surface;
-  scene_.world->surface_point(point, to_light.direction, hit, surface);
-  color *= surface_transmittance(scene_, surface, to_light.direction, ray.interiors, hit.t);
-  if (is_dark(color)) color = RGB(0.0f);
 }
 
 void DirectLight::filter_shadow(int index, const Vec3& point, const LightDirection& to_light,
@@ -204,73 +174,6 @@ void DirectLight::filter_shadow(int index, const Vec3& point, const LightDirecti
     float ignored = 0;
     scene_.atmosphere.apply_fog(origin, to_light.direction, remaining, true, color, ignored);
   }
-}
-
-namespace {
-
-// The hierarchical mean of an area light's grid (9.3). Grid points are traced once each.
-template <typename Sample>
-class AreaSampler {
- public:
-  AreaSampler(int adaptive, Sample& sample) : adaptive_(adaptive), sample_(sample) {}
-
-  RGB mean(int u1, int v1, int u2, int v2, int level) {
-    RGB corner[4] = {sample_(u1, v1), sample_(u2, v1), sample_(u1, v2), sample_(u2, v2)};
-    if (u2 - u1 > 1 || v2 - v1 > 1) {
-      const bool uneven = color_distance(corner[0], corner[1]) > 0.1 ||
-                          color_distance(corner[1], corner[3]) > 0.1 ||
-                          color_distance(corner[3], corner[2]) > 0.1 ||
-                          color_distance(corner[2], corner[0]) > 0.1;
-      if (level < adaptive_ || uneven) {
-        const int u_low = (u1 + u2) / 2, u_high = (u1 + u2 + 1) / 2;
-        const int v_low = (v1 + v2) / 2, v_high = (v1 + v2 + 1) / 2;
-        corner[0] = mean(u1, v1, u_low, v_low, level + 1);
-        corner[1] = mean(u_high, v1, u2, v_low, level + 1);
-        corner[2] = mean(u1, v_high, u_low, v2, level + 1);
-        corner[3] = mean(u_high, v_high, u2, v2, level + 1);
-      }
-    }
-    return 0.25f * (corner[0] + corner[1] + corner[2] + corner[3]);
-  }
-
- private:
-  int adaptive_;
-  Sample& sample_;
-};
-
-}  // namespace
-
-RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray, const RGB& color,
-                             RayCounts& counts) const {
-  const Light& light = scene_.lights[index];
-  const LightNode& node = light.node();
-  const AreaLightGrid grid(light, point);
-  const int columns = node.size1, rows = node.size2;
-
-  // Grids up to this size are cached on the stack, larger ones are traced again when asked again:
-  // the jitter is a function of the grid point, so the answers agree.
-  constexpr int kMostCached = 1024;
-  std::array<Uncleared<RGB>, kMostCached> cache;
-  std::array<uint64_t, kMostCached / 64> known{};  // a bit for each grid point
-  const bool cached = columns * rows <= kMostCached;
-
-  auto sample = [&](int i, int j) {
-    const int cell = j * columns + i;
-    if (cached && known[cell / 64] >> cell % 64 & 1) return cache[cell].value;
-    const uint32_t counter = static_cast<uint32_t>(cell) * 2;
-    const uint32_t purpose = kPurposeAreaLight + 16 * static_cast<uint32_t>(index);
-    const Vec3 center = node.jitter ? grid.sample(i, j, path_random(ray.path, purpose, counter),
-                                                  path_random(ray.path, purpose, counter + 1))
-                                    : grid.sample(i, j, 0, 0);
-    RGB arriving = color;
-    trace_shadow(index, point, light.direction_from(point, center), ray, arriving, counts);
-    if (cached) {
-      known[cell / 64] |= uint64_t{1} << cell % 64;
-      cache[cell].emplace(arriving);
-    }
-    return arriving;
-  };
-  return AreaSampler(node.adaptive, sample).mean(0, 0, columns - 1, rows - 1, 0);
 }
 
 }  // namespace durer

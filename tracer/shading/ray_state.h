@@ -72,10 +72,13 @@ inline uint64_t extend_path(uint64_t path, uint64_t event) {
   return z ^ (z >> 31);
 }
 
-// The counter-th uniform number in [0,1) that `purpose` draws on this path.
+// The counter-th 64 random bits that `purpose` draws on this path.
+inline uint64_t path_random_bits(uint64_t path, uint32_t purpose, uint32_t counter) {
+  return extend_path(path, (uint64_t{purpose} << 32) | counter);
+}
+// The same as a uniform number in [0,1).
 inline double path_random(uint64_t path, uint32_t purpose, uint32_t counter) {
-  const uint64_t bits = extend_path(path, (uint64_t{purpose} << 32) | counter);
-  return static_cast<double>(bits >> 11) * 0x1.0p-53;
+  return static_cast<double>(path_random_bits(path, purpose, counter) >> 11) * 0x1.0p-53;
 }
 
 }  // namespace durer

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tracer/lights/area_light_grid.h"
 #include "tracer/math/power.h"
 #include "tracer/shading/reflectance.h"
 
@@ -436,21 +437,29 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   if (from_each_sample) {
     // Every grid point lights the surface from its own direction.
     const AreaLightGrid grid(light, point);
-    const RGB part = arriving.color * (1.0f / static_cast<float>(node.size1 * node.size2));
-    for (int j = 0; j < node.size2; ++j) {
-      for (int i = 0; i < node.size1; ++i) {
-        const uint32_t cell = static_cast<uint32_t>(j * node.size1 + i);
-        const uint32_t purpose = kPurposeAreaIllumination + 16 * static_cast<uint32_t>(index);
-        const Vec3 center = grid.sample(i, j, path_random(ray.path, purpose, 2 * cell),
-                                        path_random(ray.path, purpose, 2 * cell + 1));
-        const LightDirection to_sample = light.direction_from(point, center);
+    const uint32_t purpose = kPurposeAreaIllumination + 16 * static_cast<uint32_t>(index);
+    const int cells = node.size1 * node.size2;
+    const RGB part = arriving.color * (1.0f / static_cast<float>(cells));
+    for (int first = 0; first < cells; first += AreaSamples::kCount) {
+      AreaSamples samples;
+      for (int k = 0; k < AreaSamples::kCount; ++k) {
+        const int cell = std::min(first + k, cells - 1);
+        samples.put(k, cell % node.size1, cell / node.size1);
+        if (node.jitter) {
+          samples.displace(k, path_random_bits(ray.path, purpose, static_cast<uint32_t>(cell)));
+        }
+      }
+      look_at_samples(grid, samples);
+      for (int k = 0; k < std::min(AreaSamples::kCount, cells - first); ++k) {
+        const LightDirection to_sample = samples.direction(k);
         const float attenuation = static_cast<float>(light.attenuation(point, to_sample));
         bool behind = false;
         if (!hit.surface.object->double_illuminate && dot(normal, to_sample.direction) < kEpsilon) {
           if (finish.diffuse_back == 0) continue;
           behind = true;
         }
-        sum += reflected_share(to_sample.direction, behind, cell) * (part * attenuation);
+        sum += reflected_share(to_sample.direction, behind, static_cast<uint32_t>(first + k)) *
+               (part * attenuation);
       }
     }
   } else {
