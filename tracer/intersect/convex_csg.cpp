@@ -3,16 +3,11 @@
 // surfaces coincide or a crossing is missing, the general way decides (geometry.cpp).
 #include <cmath>
 
+#include "tracer/intersect/convex_sweep.h"
 #include "tracer/intersect/geometry.h"
 
 namespace durer {
 namespace {
-
-constexpr uint32_t kMostMembers = 16;
-// Where on the ray the sweep starts: before all hits that count.
-constexpr double kStart = 0.5 * kLeastHitDepth;
-// Crossings of two members closer than this share of their depth are doubtful.
-constexpr double kDoubt = 1e-7;
 
 struct Crossing {
   double t;
@@ -35,7 +30,7 @@ class Crossings {
   const Crossing* end() const { return crossing_ + count_; }
 
  private:
-  Crossing crossing_[2 * kMostMembers];
+  Crossing crossing_[2 * kMostSweptSolids];
   int count_ = 0;
 };
 
@@ -87,7 +82,7 @@ bool Geometry::gather_convex_solids(uint32_t index, std::vector<uint32_t>& solid
   if (node.clips.count) return false;
   if (node.kind == NodeKind::shape) {
     solids.push_back(index);
-    return solids.size() <= kMostMembers &&
+    return solids.size() <= kMostSweptSolids &&
            (node.shape->is_convex_solid() || node.shape->is_half_space());
   }
   if (node.kind == NodeKind::nothing || node.tree >= 0) return false;
@@ -123,7 +118,7 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
   for (uint32_t i = 0; i < node.swept.count; ++i) {
     const GeometryNode& member = nodes[child[i]];
     const uint32_t bit = 1u << i;
-    double low = kStart, high = t_max;
+    double low = kSweepStart, high = t_max;
     if (member.is_boxed) ray.clip(member.reach, low, high);
     const size_t first = stack.size();
     if (low <= high * (1 + 1e-12)) {
@@ -136,49 +131,45 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
     const size_t count = stack.size() - first;
     // Where the sweep starts.
     const auto starts_inside = [&] {
-      const Vec3 start = ray.origin + kStart * ray.direction;
+      const Vec3 start = ray.origin + kSweepStart * ray.direction;
       return member.shape->inside(member.transform < 0
                                       ? start
                                       : transforms[member.transform].inverse_point(start));
     };
     bool inside = false;
-    if (member.narrows || member.shape->is_convex_solid()) {
+    if (!member.is_half_space) {
       if (count > 2) return give_back(Sweep::doubtful);
       if (count == 2) {
-        inside = (stack[first].t > kStart) != (stack[first + 1].t > kStart);
+        inside = (stack[first].t > kSweepStart) != (stack[first + 1].t > kSweepStart);
       } else if (count == 1) {
         // Where the ray leaves, unless rounding took the other crossing.
-        inside = stack[first].t > kStart;
+        inside = stack[first].t > kSweepStart;
         if (!inside || !starts_inside()) return give_back(Sweep::doubtful);
       }
     } else {
       inside = starts_inside();
     }
     const bool in_solid = inside != member.inverted;
-    if (!in_solid) {
-      if (count == 0 && node.is_flat) return give_back(Sweep::missed);
-      outside |= bit;
-    }
+    if (!in_solid) outside |= bit;
     for (size_t k = first; k < stack.size(); ++k) {
-      if (stack[k].t > kStart) crossings.add({stack[k].t, bit, static_cast<uint32_t>(k)});
+      if (stack[k].t > kSweepStart) crossings.add({stack[k].t, bit, static_cast<uint32_t>(k)});
     }
   }
 
   const Crossing* before = nullptr;
   for (const Crossing& crossing : crossings) {
     if (before && before->member != crossing.member &&
-        crossing.t - before->t <= kDoubt * (1 + crossing.t)) {
+        crossing.t - before->t <= kSweepDoubt * (1 + crossing.t)) {
       return give_back(Sweep::doubtful);
     }
     before = &crossing;
-    const bool shows = crossing.t >= kLeastHitDepth &&
-                       (node.is_flat ? (outside & ~crossing.member) == 0
-                                     : is_on_surface(node, crossing.member, ~outside));
+    const bool shows =
+        crossing.t >= kLeastHitDepth && is_on_surface(node, crossing.member, ~outside);
     if (shows && crossing.t >= t_max) return give_back(Sweep::missed);
     if (shows) {
       const Crossing* next = &crossing + 1;
       if (next != crossings.end() && next->member != crossing.member &&
-          next->t - crossing.t <= kDoubt * (1 + crossing.t)) {
+          next->t - crossing.t <= kSweepDoubt * (1 + crossing.t)) {
         return give_back(Sweep::doubtful);
       }
       hit = stack[crossing.position];

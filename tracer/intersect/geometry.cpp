@@ -273,6 +273,11 @@ bool Geometry::closest_of_union(const GeometryNode& node, const GeometryRay& ray
     if (!takes_part(node, member, ray.kind)) return;
     if (member.bounds.count && !passes_bounds(member, ray, stack)) return;
     const double limit = position >= 0 && i > position ? just_beyond(best) : best;
+    // Hierarchies have looked at the boxes; other composites look at their own.
+    if (node.tree < 0 && member.is_boxed && (member.kind == NodeKind::shape || member.is_flat)) {
+      Interval reach{kLeastHitDepth, limit};
+      if (!clip_to(member.reach, ray, reach)) return;
+    }
     ShapeHit candidate;
     if (!closest(child, ray, limit, stack, candidate)) return;
     hit = candidate;
@@ -302,7 +307,8 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
   // Of one intersection each solid's own box says as much.
   if (node.is_boxed && !node.is_flat && !clip_to(node.reach, ray, interval)) return false;
   if (node.swept.count) {
-    const Sweep sweep = sweep_convex_solids(node, ray, t_max, stack, hit);
+    const Sweep sweep = node.is_flat ? sweep_convex_intersection(node, ray, t_max, stack, hit)
+                                     : sweep_convex_solids(node, ray, t_max, stack, hit);
     if (sweep != Sweep::doubtful) return sweep == Sweep::met;
   }
   if (node.is_boxed && node.is_flat && !clip_to(node.reach, ray, interval)) return false;
@@ -383,12 +389,18 @@ void Geometry::finish_node(uint32_t index) {
   GeometryNode& node = nodes[index];
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
+  node.is_half_space = node.kind == NodeKind::shape && node.shape->is_half_space();
   std::vector<uint32_t> solids;
   bool is_flat = true;
   if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&
       gather_convex_solids(index, solids, is_flat)) {
     node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
     node.is_flat = is_flat;
+    // What is cut out comes last: most rays miss what it is cut out of.
+    if (is_flat) {
+      std::stable_partition(solids.begin(), solids.end(),
+                            [&](uint32_t solid) { return !nodes[solid].inverted; });
+    }
     lists.insert(lists.end(), solids.begin(), solids.end());
   }
   // A sphere or box in place is met or missed as fast as its bounds; so is an intersection that

@@ -32,6 +32,7 @@ struct GeometryNode {
   bool is_opaque = false;       // stops light whatever happens
   bool csg_child = false;
   bool narrows = false;         // a convex solid: an intersection with it lies within its hits
+  bool is_half_space = false;
   bool is_flat = false;         // `swept` stands for one intersection of all
   bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
@@ -112,6 +113,9 @@ class Geometry {
   enum class Sweep : uint8_t { missed, met, doubtful };
   bool gather_convex_solids(uint32_t node, std::vector<uint32_t>& solids, bool& is_flat) const;
   bool is_on_surface(const GeometryNode& node, uint32_t crossed, uint32_t within) const;
+  // convex_intersection.cpp, where the node is flat
+  Sweep sweep_convex_intersection(const GeometryNode& node, const GeometryRay& ray, double t_max,
+                                  HitStack& stack, ShapeHit& hit) const;
   Sweep sweep_convex_solids(const GeometryNode& node, const GeometryRay& ray, double t_max,
                             HitStack& stack, ShapeHit& hit) const;
   bool closest_of_composite(const GeometryNode& node, const GeometryRay& ray, double t_max,

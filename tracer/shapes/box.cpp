@@ -17,11 +17,17 @@ class Box final : public Shape {
   Bounds bounds() const override { return {low_, high_}; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
+    LineHits met;
+    line_hits(ray, met);
+    met.push_to(out);
+  }
+
+  void line_hits(const ShapeRay& ray, LineHits& out) const override {
     BoxCrossing crossing;
     if (!cross_box(low_, high_, ray, crossing)) return;
     const auto& [near, far, entry, exit] = crossing;
-    if (near > kLeastEntry) out.push(near, entry);
-    out.push(far, exit);
+    if (near > kLeastEntry) out.add(near, entry);
+    out.add(far, exit);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {

@@ -28,26 +28,28 @@ class Cone final : public Shape {
   Bounds bounds() const override { return {{-1, -1, least_z_}, {1, 1, 1}}; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    double stretch;
-    double depth[4];
-    Part part[4];
-    const int count = find(ray, stretch, depth, part);
-    for (int i = 0; i < count; ++i) out.push(depth[i] / stretch, part[i]);
+    LineHits met;
+    line_hits(ray, met);
+    met.push_to(out);
+  }
+
+  // In the order of the specification.
+  void line_hits(const ShapeRay& ray, LineHits& out) const override {
+    const double stretch = find(ray, out);
+    for (int i = 0; i < out.count; ++i) out.t[i] /= stretch;
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
-    double stretch;
-    double depth[4];
-    Part part[4];
-    const int count = find(ray, stretch, depth, part);
+    LineHits met;
+    const double stretch = find(ray, met);
     double best = ray.t_max;
     bool found = false;
-    for (int i = count; i-- > 0;) {
-      const double t = depth[i] / stretch;
+    for (int i = met.count; i-- > 0;) {
+      const double t = met.t[i] / stretch;
       if (t < best && t >= kLeastHitDepth) {
         best = t;
         hit.t = t;
-        hit.part = part[i];
+        hit.part = met.part[i];
         found = true;
       }
     }
@@ -83,23 +85,18 @@ class Cone final : public Shape {
     return a > 2 * kGeometryEpsilon * length2 && b2 - ac < -1e-12 * (b2 + ac);
   }
 
-  // Depths in normalised local space, `stretch` times those in the world, in the order of the
-  // specification; returns their count. (Each quotient by itself: trace() gives povray's last digits.)
-  int find(const ShapeRay& ray, double& stretch, double* depth, Part* part) const {
+  // Depths in normalised local space; returns how many times those in the world they are. (Each
+  // quotient by itself: trace() gives povray's last digits.)
+  double find(const ShapeRay& ray, LineHits& out) const {
     const Vec3& o = ray.origin;
     const double length2 = dot(ray.direction, ray.direction);
-    if (passes_by(o, ray.direction, length2)) return 0;
-    stretch = std::sqrt(length2);
+    if (passes_by(o, ray.direction, length2)) return 1;
+    const double stretch = std::sqrt(length2);
     const Vec3 d = ray.direction * (1 / stretch);
-    int count = 0;
-    const auto add = [&](double t, Part which) {
-      depth[count] = t;
-      part[count++] = which;
-    };
     const auto add_side = [&](double t) {
       if (!(t > 1e-9 && t < kGreatestDepth)) return;
       const double z = o.z + t * d.z;
-      if (z >= least_z_ && z <= 1) add(t, side);
+      if (z >= least_z_ && z <= 1) out.add(t, side);
     };
     if (is_cylinder_) {
       const double a = d.x * d.x + d.y * d.y;
@@ -108,7 +105,7 @@ class Cone final : public Shape {
         const double c = o.x * o.x + o.y * o.y - 1;
         const double discriminant = b * b - a * c;
         // A line that passes by the side passes by the discs, too.
-        if (discriminant < 0) return 0;
+        if (discriminant < 0) return 1;
         const double root = std::sqrt(discriminant);
         add_side((-b + root) / a);
         add_side((-b - root) / a);
@@ -126,7 +123,7 @@ class Cone final : public Shape {
           add_side((-b - root) / a);
           add_side((-b + root) / a);
         } else if (a > 0) {
-          return 0;
+          return 1;
         }
       }
     }
@@ -134,12 +131,12 @@ class Cone final : public Shape {
       const auto add_disc = [&](double z, double radius2, Part which) {
         const double t = (z - o.z) / d.z;
         const double x = o.x + t * d.x, y = o.y + t * d.y;
-        if (x * x + y * y <= radius2 && t > 1e-9 && t < kGreatestDepth) add(t, which);
+        if (x * x + y * y <= radius2 && t > 1e-9 && t < kGreatestDepth) out.add(t, which);
       };
       add_disc(1, 1, cap);
       add_disc(least_z_, is_cylinder_ ? 1 : least_z_ * least_z_, base);
     }
-    return count;
+    return stretch;
   }
 
   bool is_cylinder_;

@@ -18,10 +18,16 @@ bool Plane::closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const {
 }
 
 void Plane::hits(const ShapeRay& ray, HitStack& out) const {
+  LineHits met;
+  line_hits(ray, met);
+  met.push_to(out);
+}
+
+void Plane::line_hits(const ShapeRay& ray, LineHits& out) const {
   const double slope = dot(normal_, ray.direction);
   if (std::abs(slope) < kGeometryEpsilon) return;
   const double t = (distance_ - dot(normal_, ray.origin)) / slope;
-  if (t >= 1e-6 && t <= kGreatestDepth) out.push(t);
+  if (t >= 1e-6 && t <= kGreatestDepth) out.add(t);
 }
 
 bool Plane::inside(const Vec3& p) const {

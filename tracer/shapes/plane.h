@@ -12,6 +12,7 @@ class Plane final : public Shape {
 
   Bounds bounds() const override { return Bounds::everything(); }
   void hits(const ShapeRay& ray, HitStack& out) const override;
+  void line_hits(const ShapeRay& ray, LineHits& out) const override;
   bool closest(const ShapeRay& ray, HitStack& scratch, ShapeHit& hit) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3&, const ShapeHit&) const override { return normal_; }

@@ -72,6 +72,21 @@ class HitStack {
   size_t size_ = 0;
 };
 
+// Where a line meets a convex solid or a half space.
+struct LineHits {
+  int count = 0;
+  double t[4];  // world distance
+  uint32_t part[4];
+
+  void add(double depth, uint32_t which = 0) {
+    t[count] = depth;
+    part[count++] = which;
+  }
+  void push_to(HitStack& stack) const {
+    for (int i = 0; i < count; ++i) stack.push(t[i], part[i]);
+  }
+};
+
 // A share of a surface in one of Shape::own_textures(); -1: in the object's texture.
 struct ShapeTexture {
   int index;
@@ -97,6 +112,9 @@ class Shape {
   // Local, of any length but zero.
   virtual Vec3 normal(const Vec3& point, const ShapeHit& hit) const = 0;
   virtual Vec2 uv(const Vec3& point, const Vec3& world_point, const ShapeHit& hit) const;
+
+  // Of convex solids and half spaces: what hits() pushes, in its order.
+  virtual void line_hits(const ShapeRay&, LineHits&) const {}
 
   // The hit of least depth t with kLeastHitDepth <= t < ray.t_max.
   virtual bool closest(const ShapeRay& ray, HitStack& scratch, ShapeHit& hit) const;

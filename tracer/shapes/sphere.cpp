@@ -19,11 +19,17 @@ class Sphere final : public Shape {
   Bounds bounds() const override { return {center_ - Vec3(radius_), center_ + Vec3(radius_)}; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
+    LineHits met;
+    line_hits(ray, met);
+    met.push_to(out);
+  }
+
+  void line_hits(const ShapeRay& ray, LineHits& out) const override {
     double near, far;
     const double scale = depths(ray, near, far);
     if (scale == 0) return;
-    if (near > 1e-6 && near < kGreatestDepth) out.push(near * scale);
-    if (far > 1e-6 && far < kGreatestDepth) out.push(far * scale);
+    if (near > 1e-6 && near < kGreatestDepth) out.add(near * scale);
+    if (far > 1e-6 && far < kGreatestDepth) out.add(far * scale);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {

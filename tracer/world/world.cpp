@@ -244,9 +244,6 @@ struct World::Impl {
   bool is_loose_union(uint32_t node) const;
   void add_opaque_members(uint32_t object, uint32_t node, std::vector<LooseMember>& members) const;
   void mark_opaque(ObjectSet& set) const;
-  bool has_opaque_shape(uint32_t node) const;
-  void add_remembered(uint32_t node, int32_t instance);
-  void find_remembered();
   void add_shares(uint32_t node, const Vec3& point, SurfacePoint& out) const;
   int containing(const ObjectSet& set, const Vec3& point, int64_t moved_from, int64_t moved_to,
                  int* interiors, int capacity) const;
@@ -283,7 +280,6 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
   builder.finish();
   for (const auto& group : data.groups) world->impl_->mark_opaque(group->set);
   world->impl_->mark_opaque(data.scene);
-  world->impl_->find_remembered();
   return world;
 }
 
@@ -484,77 +480,6 @@ bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, d
   HitStack& stack = scratch();
   uint32_t& last = stack.last_occluder[static_cast<size_t>(light) % stack.last_occluder.size()];
   return OcclusionSearch{data, data.scene, ray, stack, max_t}.run_with_hint(last);
-}
-
-bool World::Impl::has_opaque_shape(uint32_t index) const {
-  const GeometryNode& node = data.geometry.nodes[index];
-  if (node.kind == NodeKind::shape) return is_opaque_object(index);
-  for (uint32_t i = 0; i < node.children.count; ++i) {
-    if (has_opaque_shape(data.geometry.lists[node.children.first + i])) return true;
-  }
-  return false;
-}
-
-// Solids, whole or in unions, whose own plain textures stop light, of members some of which do not.
-void World::Impl::add_remembered(uint32_t index, int32_t instance) {
-  const GeometryNode& node = data.geometry.nodes[index];
-  if (node.kind == NodeKind::union_) {
-    for (uint32_t i = 0; i < node.children.count; ++i) {
-      add_remembered(data.geometry.lists[node.children.first + i], instance);
-    }
-    return;
-  }
-  if (node.kind != NodeKind::merge && node.kind != NodeKind::intersection) return;
-  const auto stops_light = [&](uint32_t texture) {
-    return data.textures[texture].is_opaque && !data.textures[texture].selector;
-  };
-  const WorldObject& object = data.objects[node.object];
-  if (object.texture == kNoTexture || !stops_light(object.texture)) return;
-  if (object.interior_texture != kNoTexture && !stops_light(object.interior_texture)) return;
-  if (is_opaque_object(index) || !has_opaque_shape(index)) return;
-  data.remembered.push_back({index, instance});
-}
-
-void World::Impl::find_remembered() {
-  for (const TopLevelObject& top : data.scene.objects) {
-    if (top.hidden & kShadowRay) continue;
-    if (top.instance < 0) {
-      add_remembered(top.node, -1);
-      continue;
-    }
-    const ObjectSet& inner = data.groups[data.instances[top.instance].group]->set;
-    for (const TopLevelObject& member : inner.objects) {
-      if (!(member.hidden & kShadowRay) && member.instance < 0) {
-        add_remembered(member.node, top.instance);
-      }
-    }
-  }
-}
-
-bool World::has_remembered_casters() const { return !impl_->data.remembered.empty(); }
-
-bool World::closest_hit_of_remembered(const Vec3& origin, const Vec3& unit_direction, double max_t,
-                                      Hit& hit) const {
-  const WorldData& data = impl_->data;
-  const GeometryRay ray(origin, unit_direction, kShadowRay);
-  bool met = false;
-  for (const RememberedCaster& caster : data.remembered) {
-    ShapeHit candidate;
-    const GeometryRay own_ray =
-        caster.instance < 0 ? ray : local_ray(data.instances[caster.instance], ray);
-    const GeometryNode& node = data.geometry.nodes[caster.node];
-    if (node.bounds.count && !data.geometry.passes_bounds(node, own_ray, scratch())) continue;
-    if (!data.geometry.closest(caster.node, own_ray, max_t, scratch(), candidate)) continue;
-    met = true;
-    max_t = candidate.t;
-    hit.t = candidate.t;
-    hit.item = candidate.node;
-    hit.part = candidate.part;
-    hit.instance = static_cast<uint32_t>(caster.instance + 1);
-    hit.barycentric_u = candidate.u;
-    hit.barycentric_v = candidate.v;
-  }
-  return met;
 }
 
 bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,

@@ -74,12 +74,6 @@ struct Instance {
   uint32_t first_object;  // its own WorldObjects, in the group's order
 };
 
-// See World::has_remembered_casters().
-struct RememberedCaster {
-  uint32_t node;     // in Geometry::nodes
-  int32_t instance;  // -1: not in a copy
-};
-
 // What a node looks like beyond WorldObject.
 struct NodeAppearance {
   int32_t own_textures = -1;  // in World arrays: index of the first of a shape's own textures
@@ -92,7 +86,6 @@ struct WorldData {
   ObjectSet scene;
   std::vector<std::unique_ptr<SharedGroup>> groups;
   std::vector<Instance> instances;
-  std::vector<RememberedCaster> remembered;
   std::vector<WorldObject> objects;
   std::vector<NodeAppearance> appearance;  // by node
   std::vector<uint32_t> own_texture_ids;
