@@ -65,13 +65,15 @@ struct GeometryRay : BvhRay {
   bool unit;
 };
 
+// Fills in origin and direction as they are before the transform.
+void move_ray(const Transform& transform, const BvhRay& ray, ShapeRay& local);
+
 // A ray as a shape sees it; `transform` may be null.
 [[gnu::always_inline]] inline ShapeRay shape_ray(const GeometryRay& ray,
-                                                  const Transform* transform) {
+                                                 const Transform* transform) {
   ShapeRay local;
   if (transform) {
-    local.origin = transform->inverse_point(ray.origin);
-    local.direction = transform->inverse_direction(ray.direction);
+    move_ray(*transform, ray, local);
   } else {
     local.origin = ray.origin;
     local.direction = ray.direction;

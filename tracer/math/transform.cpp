@@ -88,7 +88,7 @@ bool Transform::from_matrix(const Matrix& m, Transform& result) {
 }
 
 Transform Transform::then(const Transform& next) const {
-  return {forward * next.forward, next.inverse * inverse};
+  return {next.inverse * inverse, forward * next.forward};
 }
 
 Bounds Transform::bounds(const Bounds& local) const {

@@ -30,8 +30,9 @@ Matrix operator*(const Matrix& first, const Matrix& second);
 
 // A matrix with its inverse. The inverse of a rotation is its transpose, kept, not recomputed.
 struct Transform {
-  Matrix forward;
+  // First, and so followed by readable memory: moving a ray reads four numbers a row.
   Matrix inverse;
+  Matrix forward;
 
   static Transform translation(const Vec3& by);
   // Components must be nonzero (the parser replaces zeros by 1 with a warning).
@@ -45,7 +46,7 @@ struct Transform {
   // Inverse by cofactors. False when the matrix is singular (result is then left alone).
   static bool from_matrix(const Matrix& matrix, Transform& result);
 
-  Transform inverted() const { return {inverse, forward}; }
+  Transform inverted() const { return {forward, inverse}; }
   // This, then next.
   Transform then(const Transform& next) const;
   bool is_identity() const { return forward == Matrix{}; }

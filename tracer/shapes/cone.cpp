@@ -4,6 +4,7 @@
 // Local frame: z along the axis, z = 0 … 1; a cone's apex is the origin and its surface ρ = |z|.
 #include <cmath>
 
+#include "tracer/math/min_max.h"
 #include "tracer/math/transform.h"
 #include "tracer/shapes/shape.h"
 
@@ -11,6 +12,9 @@ namespace durer {
 namespace {
 
 enum Part : uint32_t { side, cap, base };
+
+// Crossings of the side this near to a disc do not tell whether the disc is met.
+constexpr double kRim = 1e-6;
 
 // The frame that takes the unit solid to its place: z to the axis, scaled by (r, r, height).
 PlacedShape place(std::shared_ptr<const Shape> shape, const Vec3& origin, const Vec3& unit_axis,
@@ -94,9 +98,18 @@ class Cone final : public Shape {
     const double stretch = std::sqrt(length2);
     const Vec3 d = ray.direction * (1 / stretch);
     const auto add_side = [&](double t) {
-      if (!(t > 1e-9 && t < kGreatestDepth)) return;
       const double z = o.z + t * d.z;
-      if (z >= least_z_ && z <= 1) out.add(t, side);
+      if (t > 1e-9 && t < kGreatestDepth && z >= least_z_ && z <= 1) out.add(t, side);
+      return z;
+    };
+    // Both crossings of a side that the line is inside of between them. Returns whether it may meet
+    // the discs, too: not on a way from side to side, nor on one beyond an end.
+    const auto add_sides = [&](double first, double second) {
+      const double z1 = add_side(first), z2 = add_side(second);
+      const double low = smaller_of(z1, z2), high = larger_of(z1, z2);
+      const bool misses = (low > 1 + kRim) | (high < least_z_ - kRim);
+      const bool within = (low >= least_z_ + kRim) & (high <= 1 - kRim);
+      return !(misses | within);
     };
     if (is_cylinder_) {
       const double a = d.x * d.x + d.y * d.y;
@@ -107,8 +120,7 @@ class Cone final : public Shape {
         // A line that passes by the side passes by the discs, too.
         if (discriminant < 0) return 1;
         const double root = std::sqrt(discriminant);
-        add_side((-b + root) / a);
-        add_side((-b - root) / a);
+        if (!add_sides((-b + root) / a, (-b - root) / a)) return stretch;
       }
     } else {
       const double a = d.x * d.x + d.y * d.y - d.z * d.z;
@@ -120,8 +132,8 @@ class Cone final : public Shape {
         const double discriminant = b * b - a * c;
         if (discriminant >= 0) {
           const double root = std::sqrt(discriminant);
-          add_side((-b - root) / a);
-          add_side((-b + root) / a);
+          const bool meets_discs = add_sides((-b - root) / a, (-b + root) / a);
+          if (a > 0 && !meets_discs) return stretch;
         } else if (a > 0) {
           return 1;
         }
