@@ -6,7 +6,6 @@ namespace durer {
 namespace {
 
 constexpr double kEpsilon = 1e-10;
-constexpr double kFarthestRoot = 1e7;
 constexpr double kRelativeError = 1e-12;
 constexpr int kMostHalvings = 50;
 
@@ -286,11 +285,11 @@ int solve_quartic(const double* c, double* roots) {
   return count;
 }
 
-int solve_sturm(int degree, const double* c, double* roots) {
+int solve_sturm(int degree, const double* c, double* roots, double farthest) {
   if (degree < 1) return 0;
   if (degree == 1) {
     const double root = -c[1] / c[0];
-    if (!(root > 0 && root <= kFarthestRoot)) return 0;
+    if (!(root > 0 && root <= farthest)) return 0;
     roots[0] = root;
     return 1;
   }
@@ -299,11 +298,12 @@ int solve_sturm(int degree, const double* c, double* roots) {
   const int at_zero = sequence.sign_changes([](const SturmTerm& t) { return t.c[0]; });
   const int at_infinity = sequence.sign_changes([](const SturmTerm& t) { return t.c[t.degree]; });
   if (at_zero == at_infinity) return 0;
-  const int low = sequence.changes_at(0), high = sequence.changes_at(kFarthestRoot);
-  return isolate(sequence, 0, kFarthestRoot, low, high, roots);
+  const int low = sequence.changes_at(0), high = sequence.changes_at(farthest);
+  return isolate(sequence, 0, farthest, low, high, roots);
 }
 
-int solve_polynomial(int degree, const double* c, bool sturm, double epsilon, double* roots) {
+int solve_polynomial(int degree, const double* c, bool sturm, double epsilon, double* roots,
+                     double farthest) {
   while (degree > 0 && std::abs(c[0]) < kEpsilon) {
     ++c;
     --degree;
@@ -319,13 +319,13 @@ int solve_polynomial(int degree, const double* c, bool sturm, double epsilon, do
       if (epsilon > 0 && c[2] != 0 && std::abs(c[3] / c[2]) < epsilon) {
         return solve_quadratic(c, roots);
       }
-      return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots);
+      return sturm ? solve_sturm(3, c, roots, farthest) : solve_cubic(c, roots);
     case 4:
       if (epsilon > 0 && c[3] != 0 && std::abs(c[4] / c[3]) < epsilon) {
-        return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots);
+        return sturm ? solve_sturm(3, c, roots, farthest) : solve_cubic(c, roots);
       }
-      return sturm || is_difficult(c) ? solve_sturm(4, c, roots) : solve_quartic(c, roots);
-    default: return solve_sturm(degree, c, roots);
+      return sturm || is_difficult(c) ? solve_sturm(4, c, roots, farthest) : solve_quartic(c, roots);
+    default: return solve_sturm(degree, c, roots, farthest);
   }
 }
 

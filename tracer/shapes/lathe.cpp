@@ -119,7 +119,7 @@ class Lathe final : public Shape {
       c[top - i] += 2 * m * d.y * y[i];
     }
     c[top] += dy2 * distance2;
-    return solve_polynomial(top, c, sturm_ && degree_ > 1, 0, roots);
+    return solve_polynomial(top, c, sturm_ && degree_ > 1, 0, roots, kFarthestParameter);
   }
 
   std::vector<CurveSegment> segments_;

@@ -147,7 +147,8 @@ class Prism final : public Shape {
       w[0] = -c[3] / c[2];
       return 1;
     }
-    return solve_polynomial(degree_, c + 3 - degree_, sturm_ && degree_ == 3, 0, w);
+    return solve_polynomial(degree_, c + 3 - degree_, sturm_ && degree_ == 3, 0, w,
+                            kFarthestParameter);
   }
 
   // Odd number of crossings of the curve along +x.

@@ -198,7 +198,7 @@ class SphereSweep final : public Shape {
   static int solve(const double* low_first, int degree, double* roots) {
     double c[kSideDegree + 1];
     for (int i = 0; i <= degree; ++i) c[i] = low_first[degree - i];
-    return solve_polynomial(degree, c, degree > 4, kRootEpsilon, roots);
+    return solve_polynomial(degree, c, degree > 4, kRootEpsilon, roots, kFarthestParameter);
   }
 
   // q(u) = |point - C(u)|² - r(u)², constant term first; returns its degree.
