@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "tracer/math/lattice_hash.h"
+#include "tracer/math/power.h"
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/pattern_factories.h"
 
@@ -85,7 +86,7 @@ class Crackle : public BasePattern {
     const Vec3 cell = glm::floor(p - Vec3(kEpsilon));
     // Along each axis: the way to the point's side, and how far the cell of a step is away there.
     double gap[3][5];
-    int side[3], place[3];
+    int side[3] = {}, place[3] = {};
     for (int axis = 0; axis < 3; ++axis) {
       place[axis] = static_cast<int>(static_cast<int64_t>(cell[axis]) & 4095);
       const double inside = p[axis] - cell[axis];
@@ -136,19 +137,19 @@ class Crackle : public BasePattern {
   // One axis' share of the measure.
   double part(double d) const {
     if (parameters_.metric == 2) return d * d;
-    return parameters_.metric == 1 ? std::abs(d) : std::pow(std::abs(d), parameters_.metric);
+    return parameters_.metric == 1 ? std::abs(d) : power(std::abs(d), parameters_.metric);
   }
   double measure(const Vec3& d) const {
     if (parameters_.metric == 2) return dot(d, d);
     if (parameters_.metric == 1) return std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
-    return std::pow(std::abs(d.x), parameters_.metric) +
-           std::pow(std::abs(d.y), parameters_.metric) +
-           std::pow(std::abs(d.z), parameters_.metric);
+    return power(std::abs(d.x), parameters_.metric) +
+           power(std::abs(d.y), parameters_.metric) +
+           power(std::abs(d.z), parameters_.metric);
   }
   double root(double sum) const {
-    if (parameters_.offset != 0) sum += std::pow(parameters_.offset, parameters_.metric);
+    if (parameters_.offset != 0) sum += power(parameters_.offset, parameters_.metric);
     if (parameters_.metric == 2) return std::sqrt(sum);
-    return parameters_.metric == 1 ? sum : std::pow(sum, 1 / parameters_.metric);
+    return parameters_.metric == 1 ? sum : power(sum, 1 / parameters_.metric);
   }
 
   CrackleParameters parameters_;

@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "tracer/math/power.h"
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/pattern_factories.h"
 
@@ -22,8 +23,8 @@ constexpr double kEpsilon = 1e-10;
 double measure(const Vec3& d, double metric) {
   if (metric == 2) return dot(d, d);
   if (metric == 1) return d.x + d.y + d.z;  // signed: POV-Ray's way
-  return std::pow(std::abs(d.x), metric) + std::pow(std::abs(d.y), metric) +
-         std::pow(std::abs(d.z), metric);
+  return power(std::abs(d.x), metric) + power(std::abs(d.y), metric) +
+         power(std::abs(d.z), metric);
 }
 
 // The nearest of the feature points in the 81 cells around t.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tracer/math/power.h"
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/wave_sources.h"
 
@@ -144,7 +145,7 @@ void Pattern::apply_waves(double& v) const {
       v = v * v * (3 - 2 * v);
       break;
     case WaveKind::poly:
-      v = std::pow(v, static_cast<double>(node_.wave_exponent));
+      v = power(v, static_cast<double>(node_.wave_exponent));
       break;
   }
 }
