@@ -11,8 +11,9 @@ namespace {
 
 struct Crossing {
   double t;
-  uint32_t member;    // bit
-  uint32_t position;  // in the stack
+  uint32_t member;  // bit
+  uint32_t node;
+  uint32_t part;
 };
 
 // In the order of their depths.
@@ -108,76 +109,62 @@ bool Geometry::is_on_surface(const GeometryNode& node, uint32_t crossed, uint32_
 Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const GeometryRay& ray,
                                               double t_max, HitStack& stack, ShapeHit& hit) const {
   const uint32_t* child = lists.data() + node.swept.first;
-  const size_t base = stack.size();
-  const auto give_back = [&](Sweep result) {
-    stack.shrink(base);
-    return result;
-  };
   Crossings crossings;
   uint32_t outside = 0;  // members whose solids the sweep is not in
   for (uint32_t i = 0; i < node.swept.count; ++i) {
     const GeometryNode& member = nodes[child[i]];
+    const Transform* transform = member.transform < 0 ? nullptr : &transforms[member.transform];
     const uint32_t bit = 1u << i;
     double low = kSweepStart, high = t_max;
     if (member.is_boxed) ray.clip(member.reach, low, high);
-    const size_t first = stack.size();
+    LineHits met;
     if (low <= high * (1 + 1e-12)) {
-      stack.owner = child[i];
-      ShapeRay local = shape_ray(ray, member.transform < 0 ? nullptr : &transforms[member.transform]);
+      ShapeRay local = shape_ray(ray, transform);
       local.csg_child = true;
-      member.shape->hits(local, stack);
-      stack.count_test(member.shape_kind, stack.size() > first);
+      member.shape->line_hits(local, met);
+      stack.count_test(member.shape_kind, met.count > 0);
     }
-    const size_t count = stack.size() - first;
-    // Where the sweep starts.
     const auto starts_inside = [&] {
       const Vec3 start = ray.origin + kSweepStart * ray.direction;
-      return member.shape->inside(member.transform < 0
-                                      ? start
-                                      : transforms[member.transform].inverse_point(start));
+      return member.shape->inside(transform ? transform->inverse_point(start) : start);
     };
     bool inside = false;
-    if (!member.is_half_space) {
-      if (count > 2) return give_back(Sweep::doubtful);
-      if (count == 2) {
-        inside = (stack[first].t > kSweepStart) != (stack[first + 1].t > kSweepStart);
-      } else if (count == 1) {
-        // Where the ray leaves, unless rounding took the other crossing.
-        inside = stack[first].t > kSweepStart;
-        if (!inside || !starts_inside()) return give_back(Sweep::doubtful);
-      }
-    } else {
+    if (member.is_half_space) {
       inside = starts_inside();
+    } else {
+      if (met.count > 2) return Sweep::doubtful;
+      if (met.count == 2) {
+        inside = (met.t[0] > kSweepStart) != (met.t[1] > kSweepStart);
+      } else if (met.count == 1) {
+        // Where the ray leaves, unless rounding took the other crossing.
+        inside = met.t[0] > kSweepStart;
+        if (!inside || !starts_inside()) return Sweep::doubtful;
+      }
     }
-    const bool in_solid = inside != member.inverted;
-    if (!in_solid) outside |= bit;
-    for (size_t k = first; k < stack.size(); ++k) {
-      if (stack[k].t > kSweepStart) crossings.add({stack[k].t, bit, static_cast<uint32_t>(k)});
+    if (inside == member.inverted) outside |= bit;
+    for (int k = 0; k < met.count; ++k) {
+      if (met.t[k] > kSweepStart) crossings.add({met.t[k], bit, child[i], met.part[k]});
     }
   }
 
+  const auto are_near = [](const Crossing& first, const Crossing& second) {
+    return first.member != second.member &&
+           second.t - first.t <= kSweepDoubt * (1 + second.t);
+  };
   const Crossing* before = nullptr;
   for (const Crossing& crossing : crossings) {
-    if (before && before->member != crossing.member &&
-        crossing.t - before->t <= kSweepDoubt * (1 + crossing.t)) {
-      return give_back(Sweep::doubtful);
-    }
+    if (before && are_near(*before, crossing)) return Sweep::doubtful;
     before = &crossing;
-    const bool shows =
-        crossing.t >= kLeastHitDepth && is_on_surface(node, crossing.member, ~outside);
-    if (shows && crossing.t >= t_max) return give_back(Sweep::missed);
-    if (shows) {
+    if (crossing.t >= kLeastHitDepth && is_on_surface(node, crossing.member, ~outside)) {
+      if (crossing.t >= t_max) return Sweep::missed;
       const Crossing* next = &crossing + 1;
-      if (next != crossings.end() && next->member != crossing.member &&
-          next->t - crossing.t <= kSweepDoubt * (1 + crossing.t)) {
-        return give_back(Sweep::doubtful);
-      }
-      hit = stack[crossing.position];
-      return give_back(Sweep::met);
+      if (next != crossings.end() && are_near(crossing, *next)) return Sweep::doubtful;
+      hit = {crossing.t, crossing.node, crossing.part, 0, 0};
+      return Sweep::met;
     }
     outside ^= crossing.member;
   }
-  return give_back(Sweep::missed);
+  return Sweep::missed;
 }
 
 }  // namespace durer
