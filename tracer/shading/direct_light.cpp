@@ -128,12 +128,35 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
   }
   if (to_light.distance <= kShadowTolerance || light.shadowless) return;
   // Most shadow rays are stopped by something opaque or by nothing.
-  if (scene_.world->occluded_by_opaque(
-          point, to_light.direction, to_light.distance - std::max(margin, kShadowTolerance), index)) {
+  if (scene_.world->occluded_by_opaque(point, to_light.direction,
+                                       to_light.distance - std::max(margin, kShadowTolerance),
+                                       index)) {
     color = RGB(0.0f);
-  } else if (scene_.world->has_clear_casters() || scene_.atmosphere.has_fog()) {
+    return;
+  }
+  if (ray.level == 0 && scene_.world->has_remembered_casters() &&
+      scene_.world->lights()[index].light_group < 0) {
+    filter_remembered(point, to_light, margin, ray, color);
+    if (is_dark(color)) return;
+  }
+  if (scene_.world->has_clear_casters() || scene_.atmosphere.has_fog()) {
     filter_shadow(index, point, to_light, margin, ray, color);
   }
+}
+
+// What POV-Ray remembers to have stopped a light is asked first: where the ray meets a clear part
+// of it, the light is filtered there, and once more when its turn comes.
+void DirectLight::filter_remembered(const Vec3& point, const LightDirection& to_light,
+                                    double margin, const TracedRay& ray, RGB& color) const {
+  Hit hit;
+  if (!scene_.world->closest_hit_of_remembered(point, to_light.direction,
+                                               to_light.distance - margin, hit)) {
+    return;
+  }
+  SurfacePoint surface;
+  scene_.world->surface_point(point, to_light.direction, hit, surface);
+  color *= surface_transmittance(scene_, surface, to_light.direction, ray.interiors, hit.t);
+  if (is_dark(color)) color = RGB(0.0f);
 }
 
 void DirectLight::filter_shadow(int index, const Vec3& point, const LightDirection& to_light,

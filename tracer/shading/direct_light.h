@@ -42,6 +42,9 @@ class DirectLight {
   // The same past the opaque objects: through those that let light through, and fog.
   void filter_shadow(int light, const Vec3& point, const LightDirection& to_light, double margin,
                      const TracedRay& ray, RGB& color) const;
+  // The surface of a remembered solid, before its turn comes.
+  void filter_remembered(const Vec3& point, const LightDirection& to_light, double margin,
+                         const TracedRay& ray, RGB& color) const;
   RGB area_shadow(int light, const Vec3& point, const TracedRay& ray, const RGB& color,
                   RayCounts& counts) const;
   bool passes_projection(int light, const Vec3& point, const LightDirection& to_light,

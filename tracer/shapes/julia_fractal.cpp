@@ -247,8 +247,9 @@ PlacedShape compile(const JuliaFractalNode& node, const ShapeContext&) {
                                     : place(node, QuaternionSquare{c});
   switch (node.function) {
     case F::sqr:
-    case F::cube:
       return place(node, HypercomplexSquare{c});
+    case F::cube:
+      return place(node, HypercomplexCube{{c}});
     case F::reciprocal:
       return place(node, HypercomplexReciprocal{c});
     default:

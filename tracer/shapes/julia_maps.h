@@ -52,7 +52,6 @@ inline Vec4 hypercomplex_product(const Vec4& a, const Vec4& b) {
       a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
 }
 
-// Also iterated for `cube`, as in POV-Ray.
 struct HypercomplexSquare {
   static constexpr bool kQuaternion = false, kMixesUpStart = false;
   Vec4 c;
@@ -65,6 +64,11 @@ struct HypercomplexSquare {
   // The factor by which step k changes the derivative, and that of m steps in all.
   Vec4 factor(const Vec4& z, int) const { return z; }
   static double scale(int m) { return m == 0 ? 2 : std::ldexp(1.0, m); }
+};
+
+// POV-Ray iterates the square for `cube`, too, but with another estimate of the distance.
+struct HypercomplexCube : HypercomplexSquare {
+  static double scale(int) { return 1; }
 };
 
 // A complex function on the two planes that the algebra splits into.

@@ -17,10 +17,11 @@ struct MovedTexture {
   TexturePtr texture;
   bool moved = false;
   Rare<Transform> transform;
+  bool stays = false;  // on the surface, wherever the object goes
 
   explicit operator bool() const { return texture != nullptr; }
   void move(const Transform& by) {
-    if (!texture) return;
+    if (!texture || stays) return;
     transform = moved ? transform->then(by) : by;
     moved = true;
   }
@@ -60,6 +61,7 @@ struct ResolvedObject {
   bool interior_moved = false;
   Rare<Transform> interior_transform;
   bool uv_mapping = false;
+  bool uv_mapping_of_parent = false;  // seen at (u, v) as well, but the texture has moved
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
   bool hollow = false, hollow_given = false, double_illuminate = false;
   bool cutaway_textures = false, split_union = true;

@@ -7,6 +7,7 @@
 
 #include "tracer/intersect/bvh_walk.h"
 #include "tracer/scene/not_supported.h"
+#include "tracer/world/remembered_casters.h"
 #include "tracer/world/world_builder.h"
 
 namespace durer {
@@ -26,17 +27,14 @@ uint8_t kind_bits(const RayClass& kind) {
 }
 
 // The next greater double of a positive one.
-double just_beyond(double t) { return std::bit_cast<double>(std::bit_cast<uint64_t>(t) + 1); }
+double just_beyond(double t) {
+  return std::bit_cast<double>(std::bit_cast<uint64_t>(t) + 1);
+}
 
 // One per thread; grows to what the scene needs and stays.
 HitStack& scratch() {
   thread_local HitStack stack;
   return stack;
-}
-
-GeometryRay local_ray(const Instance& instance, const GeometryRay& ray) {
-  return {instance.transform.inverse_point(ray.origin),
-          instance.transform.inverse_direction(ray.direction), ray.kind, false};
 }
 
 // The nearest hit among the objects of one list.
@@ -88,8 +86,7 @@ struct ClosestSearch {
       return;
     }
     if (candidate.t == best && top >= 0 &&
-        !set.is_tested_first(item.object, static_cast<uint32_t>(top), ray.origin,
-                             ray.direction)) {
+        !set.is_tested_first(item.object, static_cast<uint32_t>(top), ray.origin, ray.direction)) {
       return;
     }
     hit = candidate;
@@ -224,14 +221,20 @@ struct OcclusionSearch {
   }
 };
 
+Hit as_hit(const ShapeHit& from, uint32_t instance) {
+  Hit hit;
+  hit.t = from.t;
+  hit.item = from.node;
+  hit.part = from.part;
+  hit.instance = instance;
+  hit.barycentric_u = from.u;
+  hit.barycentric_v = from.v;
+  return hit;
+}
+
 bool found(const ClosestSearch& search, Hit& hit) {
   if (search.top < 0) return false;
-  hit.t = search.hit.t;
-  hit.item = search.hit.node;
-  hit.part = search.hit.part;
-  hit.instance = search.instance;
-  hit.barycentric_u = search.hit.u;
-  hit.barycentric_v = search.hit.v;
+  hit = as_hit(search.hit, search.instance);
   return true;
 }
 
@@ -263,8 +266,7 @@ std::unique_ptr<World> World::build(const Scene& scene, const WorldOptions& opti
 }
 
 std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> objects,
-                                    const WorldOptions& options,
-                                    const TextureSettings& textures) {
+                                    const WorldOptions& options, const TextureSettings& textures) {
   std::unique_ptr<World> world(new World);
   WorldData& data = world->impl_->data;
   WorldBuilder builder(data, options, scene.default_texture, textures);
@@ -280,6 +282,8 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
   builder.finish();
   for (const auto& group : data.groups) world->impl_->mark_opaque(group->set);
   world->impl_->mark_opaque(data.scene);
+  data.remembered = find_remembered_casters(
+      data, [&world](uint32_t node) { return world->impl_->is_opaque_object(node); });
   return world;
 }
 
@@ -293,7 +297,9 @@ bool World::closest_hit(const Vec3& origin, const Vec3& unit_direction, const Ra
   return found(search, hit);
 }
 
-bool World::has_clear_casters() const { return !impl_->data.scene.clear_casters().is_empty(); }
+bool World::has_clear_casters() const {
+  return !impl_->data.scene.clear_casters().is_empty();
+}
 
 bool World::closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
                               Hit& hit) const {
@@ -482,6 +488,22 @@ bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, d
   return OcclusionSearch{data, data.scene, ray, stack, max_t}.run_with_hint(last);
 }
 
+bool World::has_remembered_casters() const {
+  return !impl_->data.remembered.empty();
+}
+
+bool World::closest_hit_of_remembered(const Vec3& origin, const Vec3& unit_direction, double max_t,
+                                      Hit& hit) const {
+  const WorldData& data = impl_->data;
+  const GeometryRay ray(origin, unit_direction, kShadowRay);
+  ShapeHit found;
+  const RememberedCaster* caster =
+      closest_of_remembered(data, data.remembered, ray, max_t, scratch(), found);
+  if (!caster) return false;
+  hit = as_hit(found, static_cast<uint32_t>(caster->instance + 1));
+  return true;
+}
+
 bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,
                                      double& t) const {
   const WorldData& data = impl_->data;
@@ -535,13 +557,23 @@ int World::containing_interiors(const Vec3& point, int* interiors, int capacity)
   return impl_->containing(impl_->data.scene, point, 0, 0, interiors, capacity);
 }
 
-const std::vector<CompiledTexture>& World::textures() const { return impl_->data.textures; }
-const InteriorTable& World::interiors() const { return impl_->data.interiors; }
+const std::vector<CompiledTexture>& World::textures() const {
+  return impl_->data.textures;
+}
+const InteriorTable& World::interiors() const {
+  return impl_->data.interiors;
+}
 const std::vector<IndirectSettings>& World::indirect_settings() const {
   return impl_->data.indirect;
 }
-const std::vector<WorldLight>& World::lights() const { return impl_->data.lights; }
-const std::vector<LightGroup>& World::light_groups() const { return impl_->data.light_groups; }
-Bounds World::bounds() const { return impl_->data.scene.all.bvh.bounds(); }
+const std::vector<WorldLight>& World::lights() const {
+  return impl_->data.lights;
+}
+const std::vector<LightGroup>& World::light_groups() const {
+  return impl_->data.light_groups;
+}
+Bounds World::bounds() const {
+  return impl_->data.scene.all.bvh.bounds();
+}
 
 }  // namespace durer

@@ -149,6 +149,11 @@ class World {
   // The nearest hit, 1e-4 <= t < max_t, of a shadow ray with the objects that are left out above.
   bool closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
                          Hit& hit) const;
+  // Solids with clear parts that POV-Ray takes for what stopped the light last (decision 0069), and
+  // the nearest hit, 1e-4 <= t < max_t, with any of them.
+  bool has_remembered_casters() const;
+  bool closest_hit_of_remembered(const Vec3& origin, const Vec3& unit_direction, double max_t,
+                                 Hit& hit) const;
   // The nearest hit with one object of projected_objects().
   bool closest_hit_of_projected(int light, const Vec3& origin, const Vec3& unit_direction,
                                 double& t) const;

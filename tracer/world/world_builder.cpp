@@ -49,14 +49,16 @@ void lift_no_shadow(ResolvedObject& object) {
 
 // What a member takes from its parent (section 5, step 1).
 void inherit_from(ResolvedObject& object, const ResolvedObject& parent) {
-  if (!object.texture && parent.texture) {
+  if (!object.texture) {
     object.texture = parent.texture;
-    object.uv_mapping = parent.uv_mapping;
+    object.texture.stays |= parent.uv_mapping;
   }
-  if (!object.interior_texture && parent.interior_texture) {
+  if (!object.interior_texture) {
     object.interior_texture = parent.interior_texture;
-    object.uv_mapping = parent.uv_mapping;
+    object.interior_texture.stays |= parent.uv_mapping;
   }
+  // Members with a texture of their own are seen at (u, v), too.
+  object.uv_mapping_of_parent |= parent.uv_mapping || parent.uv_mapping_of_parent;
   object.no_image |= parent.no_image;
   object.no_reflection |= parent.no_reflection;
   object.no_radiosity |= parent.no_radiosity;
@@ -178,7 +180,7 @@ void WorldBuilder::add_instance(const ResolvedObject& copy) {
   for (uint32_t i = 0; i < group.object_count; ++i) {
     WorldObject object = data_.objects[group.first_object + i];
     const auto moved = [&](MovedTexture texture) {
-      if (!object.uv_mapping) texture.move(instance.transform);
+      texture.move(instance.transform);
       return textures_.index_of(texture);
     };
     if (group.textures[i]) object.texture = moved(group.textures[i]);
@@ -309,8 +311,11 @@ uint32_t WorldBuilder::object_number(const WorldObject& object, const ResolvedOb
   }
   data_.objects.push_back(object);
   if (group_) {
-    group_->textures.push_back(source.texture);
-    group_->interior_textures.push_back(source.interior_texture);
+    for (auto [list, texture] : {std::pair(&group_->textures, source.texture),
+                                 std::pair(&group_->interior_textures, source.interior_texture)}) {
+      texture.stays |= source.uv_mapping;
+      list->push_back(std::move(texture));
+    }
   }
   return static_cast<uint32_t>(count);
 }
@@ -434,7 +439,7 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   }
   material.interior = interior;
   material.light_group = light_group;
-  material.uv_mapping = object.uv_mapping;
+  material.uv_mapping = object.uv_mapping || object.uv_mapping_of_parent;
   material.double_illuminate = object.double_illuminate;
   material.no_shadow = object.no_shadow;
   material.no_image = object.no_image;
@@ -445,15 +450,18 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
 
   NodeAppearance appearance;
   appearance.cutaway_root = object.texture ? -1 : filter;
-  appearance.needs_uv = object.uv_mapping;
+  appearance.needs_uv = material.uv_mapping;
   for (const uint32_t texture : {material.texture, material.interior_texture}) {
     if (texture != kNoTexture) appearance.needs_uv |= textures_.uses_uv(texture);
   }
   if (object.kind == ResolvedObject::Kind::shape && object.shape && object.shape->own_textures()) {
     appearance.own_textures = static_cast<int32_t>(data_.own_texture_ids.size());
+    const bool is_mesh = object.written && std::holds_alternative<Rare<MeshNode>>(*object.written);
     for (const TexturePtr& texture : *object.shape->own_textures()) {
-      MovedTexture own{texture, false, {}};
-      if (object.has_transform && !object.uv_mapping) own.move(object.transform);
+      MovedTexture own;
+      own.texture = texture;
+      own.stays = object.uv_mapping && is_mesh;
+      if (object.has_transform) own.move(object.transform);
       const uint32_t id = texture ? textures_.index_of(own) : kNoTexture;
       data_.own_texture_ids.push_back(id);
       if (id != kNoTexture) appearance.needs_uv |= textures_.uses_uv(id);

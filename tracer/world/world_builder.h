@@ -74,6 +74,18 @@ struct Instance {
   uint32_t first_object;  // its own WorldObjects, in the group's order
 };
 
+// The ray in the copy's own space, with the same parameters.
+inline GeometryRay local_ray(const Instance& instance, const GeometryRay& ray) {
+  return {instance.transform.inverse_point(ray.origin),
+          instance.transform.inverse_direction(ray.direction), ray.kind, false};
+}
+
+// See World::has_remembered_casters().
+struct RememberedCaster {
+  uint32_t node;     // in Geometry::nodes
+  int32_t instance;  // -1: not in a copy
+};
+
 // What a node looks like beyond WorldObject.
 struct NodeAppearance {
   int32_t own_textures = -1;  // in World arrays: index of the first of a shape's own textures
@@ -92,6 +104,7 @@ struct WorldData {
   InteriorTable interiors;
   std::vector<IndirectSettings> indirect{IndirectSettings{}};
   std::vector<WorldLight> lights;
+  std::vector<RememberedCaster> remembered;
   std::vector<LightGroup> light_groups;
   std::vector<int64_t> projected;  // node of each light's projected_through, -1: none
   std::vector<CompiledTexture> textures;

@@ -1,0 +1,22 @@
+// Solids that POV-Ray remembers as the last thing that stopped a light, though parts of them are
+// clear (docs/decisions/0069-what-stopped-the-light-last.md).
+#pragma once
+
+#include "tracer/world/world_builder.h"
+
+namespace durer {
+
+// Whether nothing of a node lets light through: by its textures.
+using IsOpaque = std::function<bool(uint32_t node)>;
+
+// Of the scene, by textures and by what can be seen from outside.
+std::vector<RememberedCaster> find_remembered_casters(const WorldData& data,
+                                                      const IsOpaque& is_opaque);
+
+// The nearest hit, 1e-4 <= t < max_t, of a shadow ray with any of them; the caster, or null.
+const RememberedCaster* closest_of_remembered(const WorldData& data,
+                                              const std::vector<RememberedCaster>& casters,
+                                              const GeometryRay& ray, double max_t, HitStack& stack,
+                                              ShapeHit& hit);
+
+}  // namespace durer
