@@ -19,6 +19,8 @@ constexpr double kEpsilon = 1e-10;
 
 // a - trunc(a), made positive.
 double fraction(double a) {
+  // Sizes of 0: beyond what POV-Ray's whole numbers hold.
+  if (std::isinf(a)) return a;
   const double f = a - std::trunc(a);
   return f < 0 ? f + 1 : f;
 }

@@ -188,7 +188,8 @@ PlacedShape compile(const ConeNode& node, const ShapeContext& context) {
   const Vec3 unit_axis = axis / height;
   const double below = narrow_radius * height / (wide_radius - narrow_radius);
   const double full_height = below + height;
-  if (std::abs((wide_radius - narrow_radius) * height / full_height) < kGeometryEpsilon) {
+  // Also where both radii are negative: a cylinder of the narrower one.
+  if ((wide_radius - narrow_radius) * height / full_height < kGeometryEpsilon) {
     return compile(CylinderNode{wide, narrow, wide_radius, node.open}, context);
   }
   return place(std::make_shared<Cone>(false, below / full_height, !node.open),
