@@ -21,7 +21,8 @@ class PigmentGrey final : public GreyField {
       : pigment_(std::move(pigment)) {}
   double grey(const Vec3& p) const override {
     ColorRGBFT color;
-    pigment_->evaluate(p, TextureContext{}, color);
+    // Beside an image that is there once.
+    if (!pigment_->evaluate(p, TextureContext{}, color)) return 0;
     return static_cast<double>(pattern_grey(color));
   }
 

@@ -65,6 +65,7 @@ class Finder {
   void add(uint32_t index, int32_t instance) {
     const GeometryNode& node = data_.geometry.nodes[index];
     if (node.kind == NodeKind::union_) {
+      if (node.clips.count) return;
       for (uint32_t i = 0; i < node.children.count; ++i) {
         add(data_.geometry.lists[node.children.first + i], instance);
       }

@@ -177,7 +177,7 @@ void ResolvedObject::move(const Transform& by) {
     // A mesh's box grows with every turn, too: its vertices are not asked again.
     const bool is_mesh = written && std::holds_alternative<Rare<MeshNode>>(*written);
     if (is_quadric || is_mesh) {
-      if (!box.is_infinite()) box = box.transformed(by);
+      box = box.transformed(by);
     } else {
       recompute_box();
     }

@@ -77,3 +77,5 @@ box { -0.46, 0.46 pigment { brick mortar 10 } translate Place }
 box { -0.46, 0.46 pigment { brick brick_size -1 } translate Place }
 #declare Place = <6 + 0.5, 0 + 0.5, 0>;
 box { -0.46, 0.46 pigment { object { sphere { 0, 0 } rgb x rgb y } } translate Place }
+#declare Place = <7 + 0.5, 0 + 0.5, 0>;
+box { -0.46, 0.46 pigment { brick rgb 1 rgb <1, 0, 0> brick_size <0, 0.3, 0.3> mortar 0.05 } translate Place }

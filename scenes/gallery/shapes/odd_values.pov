@@ -82,3 +82,5 @@ object { sphere { 0, 0.4 pigment { rgb <0.9, 0.6, 0.3> } clipped_by { sphere { 0
 object { sphere { 0, 0.4 pigment { rgb <0.9, 0.6, 0.3> } bounded_by { sphere { 10, 1 } } } translate Place }
 #declare Place = <9 + 0.5, 0 + 0.5, 0>;
 object { sphere { 0, 0.4 inverse inverse pigment { rgb <0.9, 0.6, 0.3> } } translate Place }
+#declare Place = <9 + 0.5, 1 + 0.5, 0>;
+object { cone { -0.4*y, -0.4, 0.3*y, -0.2 pigment { rgb <0.9, 0.6, 0.3> } } translate Place }
