@@ -42,6 +42,7 @@ class Stopwatch {
 
 ParseOptions parse_options(const Options& options, const FrameSettings& frame, Console& console) {
   ParseOptions parse;
+  parse.remove_bounds = options.remove_bounds;
   parse.input_file = frame.scene_path;
   parse.input_name = options.input_file;
   parse.library_paths = options.library_paths;

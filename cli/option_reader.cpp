@@ -179,6 +179,12 @@ void OptionReader::read_named(const OptionEntry& entry, Text& text) {
       if (entry.id == Option::declare && is_quote(text.peek()) && !text.from_ini) {
         text.fail("a declared string needs quotes around the whole: Declare='name=\"text\"'");
       }
+      if (text.from_ini && is_quote(text.peek())) {
+        notes_.push_back(text.place + ": what begins with the quote behind '" + std::string(value) +
+                         "' is not read; strings are declared on the command line");
+        set(entry, value, text);
+        break;
+      }
       if (text.from_ini) {
         // A value of several words, unless the next word begins another setting.
         const size_t end = text.at;

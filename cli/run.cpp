@@ -123,11 +123,12 @@ class Run {
     const ShellOutcome outcome = run_shell_command(options_.commands[static_cast<size_t>(event)],
                                                    context, options_.allow_shell, refusal);
     if (!refusal.empty()) console_.line(Stream::warning, "durer: " + refusal);
+    // Behind the last frame there is nothing left to end.
+    if (event == ShellEvent::post_scene) return ShellOutcome::go_on;
     switch (outcome) {
       case ShellOutcome::quit:
         throw EndOfRun{kSuccess};
       case ShellOutcome::user_abort:
-        throw EndOfRun{kStopped};
       case ShellOutcome::fatal:
         throw EndOfRun{kFailure};
       default:
@@ -169,7 +170,8 @@ class Run {
         event(ShellEvent::user_abort, frame_, clock_);
         return kStopped;
       }
-      if (event(ShellEvent::post_frame, frame_, clock_) == ShellOutcome::skip_all) break;
+      // Both skips are of all frames that remain.
+      if (event(ShellEvent::post_frame, frame_, clock_) != ShellOutcome::go_on) break;
     }
     event(ShellEvent::post_scene, frame_, clock_);
     return kSuccess;

@@ -57,6 +57,8 @@ bool Parser::State::parse_defined() {
     }
   } else {
     consume();
+    const FlagScope on(directives_live, true);
+    peek();
   }
   expect(Symbol::paren_close);
   return defined;
@@ -216,13 +218,12 @@ void Parser::State::do_for() {
   if (std::fabs(step) < kEpsilon) error("the step of a #for loop must not be zero");
 
   Entry* entry = symbols.find(variable);
-  if (entry && entry->alias && entry->scope == symbols.innermost()) {
-    error("the variable of a #for loop cannot be a parameter that stands for the caller's variable");
-  }
   if (!entry || entry->scope != symbols.innermost()) {
     entry = &symbols.add(variable, symbols.innermost());
   }
-  entry->value = Value(start);
+  Value* counter = entry->alias ? writable(*entry->alias) : &entry->value;
+  if (!counter) error("the variable that " + quoted(variable) + " stands for is gone");
+  *counter = Value(start);
 
   const uint32_t body = last_offset + 1;  // behind the parenthesis
   open_conditional(Kind::for_loop, directive);
@@ -363,7 +364,8 @@ void Parser::State::do_end() {
       Entry* entry = symbols.find(loop.variable);
       if (!entry || entry->scope != symbols.innermost() ||
           entry->value.kind() != ValueKind::number) {
-        error("the variable of a #for loop must stay defined and a number");
+        error("the variable of a #for loop must stay defined and a number, and be no parameter that "
+              "stands for the caller's variable");
       }
       const double value = entry->value.number() + loop.step;
       entry->value.set_number(value);

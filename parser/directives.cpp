@@ -125,7 +125,7 @@ void Parser::State::do_declare(bool local) {
       if (!entry) error_undeclared(name);
       if (!array) error(quoted(name) + " is not an array");
       const FlagScope elements(resolve_elements, true);
-      parse_subscripts(target);
+      parse_target_element(target);
       is_element = true;
       // #local leaves the elements of arrays of outer scopes alone that are set already.
       discarded = local && !entry->alias && entry->scope != scope && readable(target)->is_set();
@@ -154,7 +154,10 @@ void Parser::State::do_declare(bool local) {
   // is.
   const bool numeric = right.numeric;
   if (numeric && language_version >= 350) {
-    const FlagScope off(directives_live, false);
+    // Behind the name of a function or a spline directives are executed.
+    const ValueKind kind = right.value.kind();
+    const bool live = kind == ValueKind::function || kind == ValueKind::spline;
+    const FlagScope off(directives_live, live);
     if (!peek().is(Symbol::semicolon)) check_semicolon(true);
   }
   if (is_element) {
@@ -162,8 +165,19 @@ void Parser::State::do_declare(bool local) {
   } else {
     assign(name, std::move(right.value), local, scope, std::move(deprecation));
   }
+  ++declarations;
   const FlagScope off(directives_live, false);
   check_semicolon(numeric);
+}
+
+// The subscripts of an element that is about to be set or removed. One that was never set is allowed,
+// but no more behind a declaration inside the subscripts.
+void Parser::State::parse_target_element(Reference& target) {
+  const uint64_t before = declarations;
+  parse_subscripts(target);
+  if (declarations != before && !readable(target)->is_set()) {
+    error("this array element was never set, and its subscripts declare something");
+  }
 }
 
 // With directives off: `;` after a number is required, after anything else allowed.
@@ -222,7 +236,10 @@ void Parser::State::do_undef() {
     const bool array = look.value && look.value->kind() == ValueKind::array;
     consume();
     if (array && raw_peek().is(Symbol::bracket_open)) {
-      if (Value* element = writable(parse_element(entry))) *element = Value();
+      const FlagScope elements(resolve_elements, true);
+      Reference target = entry.alias ? *entry.alias : Reference{&entry, 0, {}};
+      parse_target_element(target);
+      if (Value* element = writable(target)) *element = Value();
     } else {
       symbols.remove(entry);
     }
@@ -270,9 +287,11 @@ void Parser::State::do_version() {
   language_version = static_cast<int>(hundredths);
   version_seen = true;
   follow_noise_generator();
-  if (!accept(Symbol::semicolon) && language_version >= 310) {
-    message(Severity::possible_error, "#version should end with ';'");
+  if (accept(Symbol::semicolon)) return;
+  if (ahead == kDeferred && look.token.kind == TokenKind::identifier) {
+    error("expected ';' behind #version, found macro " + quoted(look.token.name));
   }
+  if (language_version >= 310) message(Severity::possible_error, "#version should end with ';'");
 }
 
 void Parser::State::follow_noise_generator() {

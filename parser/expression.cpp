@@ -77,6 +77,7 @@ void Parser::State::parse_term(Terms& out, int width) {
 }
 
 void Parser::State::parse_factor(Terms& out, int width) {
+  const bool live_behind = directives_live;
   {
     const FlagScope on(directives_live, true);
     while (accept(Symbol::plus)) {
@@ -87,7 +88,7 @@ void Parser::State::parse_factor(Terms& out, int width) {
         const bool negate = token.symbol == Symbol::minus;
         consume();
         const NestingScope deeper(*this);
-        directives_live = true;
+        directives_live = live_behind;
         parse_factor(out, width);
         for (int i = 0; i < out.count; ++i) {
           out.v[i] = negate ? -out.v[i] : (is_true(out.v[i]) ? 0.0 : 1.0);

@@ -93,12 +93,12 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
   const uint32_t call = last_offset;
   const size_t count = macro->parameters.size();
   ArgumentList<RightSide> arguments(count);
-  // Arguments are numbers or blocks: directives between operands are not executed.
   ahead = kNothing;
+  ++directive_depth;
+  expect(Symbol::paren_open);
   {
+    // Arguments are numbers or blocks: directives between operands are not executed.
     const FlagScope off(directives_live, false);
-    ++directive_depth;
-    expect(Symbol::paren_open);
     for (size_t i = 0; i < count; ++i) {
       if (peek().is(Symbol::paren_close)) {
         if (has_optional_parameter(*macro, names)) {

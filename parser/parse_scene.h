@@ -50,6 +50,7 @@ struct ParseOptions {
   std::vector<std::pair<std::string, std::string>> declares;
   int version = 0;            // hundredths, from Version= or +MV; 0: not given
   bool output_alpha = false;  // background{} depends on it (spec/language.md 24)
+  bool remove_bounds = true;  // only a warning depends on it
 
   ParserLimits limits;
   WritePermissions writes;

@@ -173,6 +173,7 @@ struct Parser::State {
   void do_message(Keyword which);
   void assign(Name name, Value value, bool local, uint32_t scope,
               std::unique_ptr<Deprecation> deprecation);
+  void parse_target_element(Reference& target);
   void check_semicolon(bool numeric);
   void write_debug(const std::string& text);
 
@@ -269,6 +270,7 @@ struct Parser::State {
   void do_fclose();
   void do_read();
   void do_write();
+  std::u16string literal_in_data(const UserFile& file, const Token& token, uint32_t end);
   void close_files();
   // The number itself; an error above the limit.
   int check_nesting(int levels);
@@ -318,6 +320,7 @@ struct Parser::State {
   bool resolve_elements = true;   // off while the left side of #declare is read
   int waiting_switches = 0;       // #switch directives that look for their first label
   int directive_depth = 0;        // directives and macro calls whose own tokens are being read
+  uint64_t declarations = 0;      // #declare and #local executed so far
   uint64_t consumed = 0;          // tokens handed out so far
   uint32_t last_offset = 0;       // of the token read last
   SourceFile* last_file = nullptr;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <strings.h>
+#include <utility>
 
 #include "parser/lexer.h"
 #include "parser/parser_state.h"
@@ -51,6 +52,9 @@ void write_binary(std::FILE* stream, BinaryFormat format, double value) {
   }
 }
 
+bool can_be_read_into(ValueKind kind) {
+  return kind == ValueKind::number || kind == ValueKind::vector || kind == ValueKind::string;
+}
 
 }  // namespace
 
@@ -179,10 +183,9 @@ void Parser::State::do_read() {
   };
   const auto signed_number = [&]() {
     double sign = 1, value = 0;
-    while (space() && (file->text[file->at] == '-' || file->text[file->at] == '+')) {
-      if (file->text[file->at] == '-') sign = -sign;
-      ++file->at;
-    }
+    while (space() && file->text[file->at] == '+') ++file->at;
+    if (space() && file->text[file->at] == '-') sign = -1, ++file->at;
+    space();
     uint32_t end = file->at;
     if (!lex_number(file->text, file->at, value, end)) wrong();
     file->at = end;
@@ -198,6 +201,15 @@ void Parser::State::do_read() {
     } else if (look.entry) {
       target = look.entry->alias ? *look.entry->alias : Reference{look.entry, 0, {}};
     }
+    ValueKind kind = look.value ? look.value->kind() : ValueKind::unset;
+    if (kind == ValueKind::unset && look.is_element) {
+      Reference array = look.reference;
+      --array.levels;
+      kind = readable(array)->as<Array>().element_kind;
+    }
+    if (look.entry && !can_be_read_into(kind)) {
+      error_expected("a new name, or a float, a vector or a string to read into");
+    }
     consume();
     if (!ended) {
       // A new name is declared even if the file turns out to hold nothing more.
@@ -211,18 +223,16 @@ void Parser::State::do_read() {
           std::vector<Token> tokens;
           const uint32_t end = lex(file->text, file->at, 1, names, tokens);
           if (tokens[0].kind != TokenKind::string) wrong();
-          const SourceFile text("", file->text.substr(file->at, end - file->at), names);
-          Token token = tokens[0];
-          token.offset = 0;
-          value = Value(literal(token, text, false));
+          value = Value(literal_in_data(*file, tokens[0], end));
           file->at = end;
         } else if (c == '<') {
           ++file->at;
           Terms terms{};
           terms.count = 0;
           for (;;) {
-            if (!space() || terms.count == 5) wrong();
+            if (!space()) wrong();
             if (file->text[file->at] == '>') break;
+            if (terms.count == 5) wrong();
             terms.v[terms.count++] = signed_number();
             if (space() && file->text[file->at] == ',') ++file->at;
           }
@@ -247,6 +257,22 @@ void Parser::State::do_read() {
     accept_comma();
   }
   expect(Symbol::paren_close);
+}
+
+// A string of the file, `end` behind its quote. What is odd about it is said of the file's own line.
+std::u16string Parser::State::literal_in_data(const UserFile& file, const Token& token, uint32_t end) {
+  const auto is_plain = [](char c) { return c != '\\' && static_cast<unsigned char>(c) < 128; };
+  const auto text = file.text.begin();
+  if (!system_charset && std::all_of(text + file.at, text + end, is_plain)) {
+    return std::u16string(text + file.at + 1, text + end - 1);
+  }
+  SourceFile data(file.path, file.text, names);
+  SourceFile* const outer_file = std::exchange(last_file, &data);
+  const uint32_t outer_offset = std::exchange(last_offset, token.offset);
+  const std::u16string units = literal(token, data, false);
+  last_file = outer_file;
+  last_offset = outer_offset;
+  return units;
 }
 
 void Parser::State::do_write() {

@@ -173,6 +173,8 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
       case Keyword::array: {
         consume();
         result.value = parse_array();
+        // What follows is looked at before the array has its name.
+        peek();
         return;
       }
       case Keyword::function: {

@@ -225,7 +225,9 @@ class CameraReader {
     Vec3 right = cross(camera_.sky, forward);
     if (std::abs(right.x) < kEpsilon && std::abs(right.y) < kEpsilon &&
         std::abs(right.z) < kEpsilon) {
-      parser_.warning("the camera looks along its sky vector; its old right vector is kept");
+      if (parser_.language_version() >= 350) {
+        parser_.warning("the camera looks along its sky vector; its old right vector is kept");
+      }
       right = camera_.right;
     }
     right = normalize_or_zero(right);

@@ -242,8 +242,6 @@ class SettingsReader {
         radiosity.media = parser_.parse_float() > 0;
       } else if (parser_.accept(Keyword::subsurface)) {
         radiosity.subsurface = parser_.parse_optional_switch();
-      } else if (parser_.accept(Keyword::importance)) {
-        settings_.radiosity_default_importance = within(1e-300, 1, "importance");
       } else if (parser_.accept(Keyword::load_file) || parser_.accept(Keyword::save_file)) {
         parser_.parse_path_string();
         parser_.possible_error("files of radiosity are named by the render options");

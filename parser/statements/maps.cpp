@@ -30,9 +30,8 @@ std::shared_ptr<const Map> parse_map(Parser& parser, const char* what, ValueKind
   return map;
 }
 
-float parse_position(Parser& parser) {
-  // average may leave its weights out.
-  if (!parser.at_expression()) return 1;
+float parse_position(Parser& parser, MapEntries entries = MapEntries::places) {
+  if (entries == MapEntries::weights && !parser.at_color_or_expression()) return 1;
   const float position = static_cast<float>(parser.parse_float());
   parser.accept_comma();
   return position;
@@ -76,33 +75,33 @@ std::shared_ptr<const ColorMap> parse_color_map(Parser& parser) {
                              [&](ColorMap& map) { parse_color_entry(parser, map); });
 }
 
-std::shared_ptr<const PigmentMap> parse_pigment_map(Parser& parser) {
+std::shared_ptr<const PigmentMap> parse_pigment_map(Parser& parser, MapEntries entries) {
   return parse_map<PigmentMap>(parser, "pigment_map", ValueKind::pigment_map,
                                [&](PigmentMap& map) {
-                                 const float position = parse_position(parser);
+                                 const float position = parse_position(parser, entries);
                                  map.entries.push_back({position, parse_pigment_entry(parser)});
                                });
 }
 
-std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser) {
+std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser, MapEntries entries) {
   return parse_map<PigmentMap>(parser, "density_map", ValueKind::density_map,
                                [&](PigmentMap& map) {
-                                 const float position = parse_position(parser);
+                                 const float position = parse_position(parser, entries);
                                  map.entries.push_back({position, parse_density_entry(parser)});
                                });
 }
 
-std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser) {
+std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser, MapEntries entries) {
   return parse_map<NormalMap>(parser, "normal_map", ValueKind::normal_map, [&](NormalMap& map) {
-    const float position = parse_position(parser);
+    const float position = parse_position(parser, entries);
     map.entries.push_back({position, parse_normal_entry(parser)});
   });
 }
 
-std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser) {
+std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser, MapEntries entries) {
   return parse_map<TextureMap>(parser, "texture_map", ValueKind::texture_map,
                                [&](TextureMap& map) {
-                                 const float position = parse_position(parser);
+                                 const float position = parse_position(parser, entries);
                                  map.entries.push_back({position, parse_texture_entry(parser)});
                                });
 }

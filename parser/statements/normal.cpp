@@ -104,7 +104,8 @@ class NormalReader {
           node_.pattern->kind == PatternKind::bump_map) {
         parser_.error("this pattern takes no normal_map");
       }
-      node_.normal_map = parse_normal_map(parser_);
+      node_.normal_map = parse_normal_map(
+          parser_, node_.pattern->kind == PatternKind::average ? MapEntries::weights : MapEntries::places);
     } else if (parser_.accept(Keyword::slope_map)) {
       if (list_length(node_.pattern->kind) > 0 || node_.pattern->kind == PatternKind::average ||
           node_.pattern->kind == PatternKind::bump_map) {

@@ -117,8 +117,10 @@ class PigmentReader {
       node_.maps = PigmentMaps{.color_map = parse_color_map(parser_)};
     } else if (parser_.accept(is_density() ? Keyword::density_map : Keyword::pigment_map)) {
       check_map(is_density() ? "density_map" : "pigment_map");
-      node_.maps = PigmentMaps{.pigment_map = is_density() ? parse_density_map(parser_)
-                                                            : parse_pigment_map(parser_)};
+      const MapEntries entries = node_.pattern->kind == PatternKind::average ? MapEntries::weights
+                                                                             : MapEntries::places;
+      node_.maps = PigmentMaps{.pigment_map = is_density() ? parse_density_map(parser_, entries)
+                                                           : parse_pigment_map(parser_, entries)};
     } else {
       return false;
     }

@@ -3,6 +3,7 @@
 
 #include "parser/parser.h"
 #include "parser/statements/camera.h"
+#include "parser/statements/needless_bounds.h"
 #include "parser/statements/objects.h"
 #include "parser/statements/statements.h"
 #include "parser/statements/textures.h"
@@ -33,9 +34,10 @@ void add_camera(Parser& parser) {
 }
 
 // One statement. False at the end of the text.
-bool parse_statement(Parser& parser, TexturePtr& default_noted) {
+bool parse_statement(Parser& parser, TexturePtr& default_noted, NeedlessBounds& needless_bounds) {
   Scene& scene = parser.scene();
   if (ObjectPtr object = parse_object(parser)) {
+    needless_bounds.warn_about(object);
     scene.objects.push_back(with_default_texture(parser, std::move(object), default_noted));
   } else if (parser.accept(Keyword::camera)) {
     add_camera(parser);
@@ -81,7 +83,8 @@ Value block(ValueKind kind, std::shared_ptr<const T> handle) {
 
 void parse_scene_statements(Parser& parser) {
   TexturePtr default_noted;
-  while (parse_statement(parser, default_noted)) {
+  NeedlessBounds needless_bounds(parser);
+  while (parse_statement(parser, default_noted, needless_bounds)) {
   }
   Scene& scene = parser.scene();
   if (!scene.camera) {

@@ -167,7 +167,9 @@ class TextureReader {
     }
     for (;;) {
       if (parser_.accept(Keyword::texture_map)) {
-        choice.map = parse_texture_map(parser_);
+        choice.map = parse_texture_map(parser_, choice.pattern.kind == PatternKind::average
+                                                    ? MapEntries::weights
+                                                    : MapEntries::places);
       } else if (parser_.accept(Keyword::no_bump_scale)) {
         no_bump_scale_ = parser_.parse_optional_switch();
       } else if (!accept_pattern_modifier(parser_, choice.pattern)) {

@@ -40,13 +40,18 @@ std::shared_ptr<const MaterialNode> parse_material(Parser& parser, const Materia
 std::shared_ptr<const MediaNode> parse_media(Parser& parser);
 std::shared_ptr<const PigmentNode> parse_density(Parser& parser);
 
-// Maps: color_map{...} etc.
+// Maps: color_map{...} etc. The entries of average have weights, which may be left out.
+enum class MapEntries : uint8_t { places, weights };
 std::shared_ptr<const ColorMap> parse_color_map(Parser& parser);
-std::shared_ptr<const PigmentMap> parse_pigment_map(Parser& parser);
-std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser);
+std::shared_ptr<const PigmentMap> parse_pigment_map(Parser& parser,
+                                                    MapEntries entries = MapEntries::places);
+std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser,
+                                                    MapEntries entries = MapEntries::places);
 std::shared_ptr<const SlopeMap> parse_slope_map(Parser& parser);
-std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser);
-std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser);
+std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser,
+                                                    MapEntries entries = MapEntries::places);
+std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser,
+                                                    MapEntries entries = MapEntries::places);
 
 // After `{` of height_field: [type] file [gamma ...] [premultiplied ...].
 std::shared_ptr<ImageSource> parse_image_file(Parser& parser);

@@ -66,6 +66,10 @@ FILES = {
     "old_mac.ini": "Width=7\rHeight=6\r",
     "animation.ini": "Final_Frame=2\nOutput_File_Name=an\n[cyclic]\nCyclic_Animation=on\n",
     "declares.ini": "Declare=Given=5,Other=6\n",
+    "quoted.ini": 'Declare=Text="a b",Given=8\n',
+    "skip.ini": "Final_Frame=2\nPost_Frame_Command=false\nPost_Frame_Return=S\n",
+    "abort.ini": "Pre_Frame_Command=false\nPre_Frame_Return=U\n",
+    "late.ini": "Post_Scene_Command=false\nPost_Scene_Return=F\n",
     "rest_of_line.ini": "Clock=0.5 Quality=1\nAntialias_Depth=2 Antialias=on\n",
 }
 
@@ -91,7 +95,7 @@ s.pov +HIhead.inc +Linc | s.pov +HInone.inc | s.pov +MV3.5 | s.pov +RTR
 s.pov a.ini | s.pov a | s.pov a[one] | s.pov a.ini[TWO] | s.pov a.ini[none] | b.ini | s.pov unknown.ini
 s.pov shell.ini | s.pov stop.ini | switches.ini | s.pov old_mac.ini | s.pov animation.ini
 s.pov animation.ini[cyclic] | s.pov declares.ini | s.pov rest_of_line.ini | s.pov a.ini +W3
-s.pov Include_INI=a.ini
+s.pov Include_INI=a.ini | s.pov quoted.ini | s.pov skip.ini | s.pov abort.ini | s.pov late.ini
 """
 SIZED = ("a.ini", "a", "a[", "b.ini", "switches.ini", "old_mac.ini", "Include_INI")
 

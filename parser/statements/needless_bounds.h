@@ -1,0 +1,28 @@
+// bounded_by where it is of no use (spec/geometry.md 2): one warning each, as POV-Ray has them.
+#pragma once
+
+#include <unordered_set>
+
+#include "parser/parser.h"
+#include "tracer/scene/object.h"
+
+namespace durer {
+
+class NeedlessBounds {
+ public:
+  explicit NeedlessBounds(Parser& parser) : parser_(parser) {}
+
+  // Of an object at scene level, just read, and of what stands for itself in it.
+  void warn_about(const ObjectPtr& object) { count(object); }
+
+ private:
+  int count(const ObjectPtr& object);
+  int count_in_union(const std::vector<ObjectPtr>& children, bool bounded);
+  bool is_finite(const ObjectPtr& object);
+
+  Parser& parser_;
+  // Objects with several owners in which nothing was found.
+  std::unordered_set<ObjectPtr> clean_;
+};
+
+}  // namespace durer
