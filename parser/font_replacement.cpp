@@ -15,6 +15,7 @@ namespace {
 struct Fontconfig {
   SharedLibrary library{DURER_FONTCONFIG_LIBRARY};
   DURER_IMPORT(FcInit);
+  DURER_IMPORT(FcFini);
   DURER_IMPORT(FcPatternCreate);
   DURER_IMPORT(FcPatternDestroy);
   DURER_IMPORT(FcPatternAddString);
@@ -28,6 +29,9 @@ struct Fontconfig {
   DURER_IMPORT(FcConfigSubstitute);
   DURER_IMPORT(FcDefaultSubstitute);
   DURER_IMPORT(FcFontMatch);
+  const bool ready = FcInit();
+  // It holds its settings by offsets, which a leak check cannot follow.
+  ~Fontconfig() { FcFini(); }
 };
 
 const Fontconfig& fontconfig() { return loaded<Fontconfig>(); }
@@ -111,7 +115,7 @@ Style style_of(std::string stem) {
 }  // namespace
 
 std::string replacement_font(const std::string& name) {
-  if (!fontconfig().FcInit()) return {};
+  if (!fontconfig().ready) return {};
   const std::string file_name = last_part(name);
   std::string file = of_same_file_name(file_name);
   if (!file.empty()) return file;

@@ -49,6 +49,8 @@ def check(scene, povray, durer):
         except subprocess.TimeoutExpired:
             return f"durer is not done after {SECONDS} s"
         left = sorted(file.name for file in Path(folder).iterdir())
+    if re.search(r"Sanitizer|runtime error:", text):
+        return f"durer trips a sanitizer\n{text[-2000:]}"
     if status != 1:
         return f"durer ends with status {status}, povray stops at {place}\n{text[-500:]}"
     if left:
