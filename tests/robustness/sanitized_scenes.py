@@ -16,7 +16,8 @@ import tempfile
 from pathlib import Path
 
 SECONDS = 600
-REPORT = re.compile(r"(?:ERROR|WARNING): \w+Sanitizer.*|runtime error: .*|Assertion .*")
+REPORT = re.compile(r"(?:ERROR|WARNING): \w+Sanitizer|runtime error: |Assertion ")
+REPORT_LENGTH = 6000
 NOT_SUPPORTED = 3
 HERE = Path(__file__).resolve().parent
 # The thread-local blocks of libraries that are loaded late (OpenImageIO's) are not followed: the leak
@@ -31,7 +32,7 @@ OPTIONS = {"address": ("+WT1",), "thread": ("+WT4", "+BS8")}
 
 
 def render(arguments, scene, antialias, folder):
-    """Exit status and first report of a run (None: no report)."""
+    """Exit status and report of a run (None: no report)."""
     width, height = arguments.size.split("x")
     options = [f"+W{width}", f"+H{height}", "-D", "-GD", "-GR", "-GS",
                f"+O{folder}/picture.png", *OPTIONS[arguments.sanitizer],
@@ -43,8 +44,9 @@ def render(arguments, scene, antialias, folder):
                               timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
         return None, f"not done after {SECONDS} s"
-    report = REPORT.search(done.stderr.decode("latin-1"))
-    return done.returncode, report[0] if report else None
+    messages = done.stderr.decode("latin-1")
+    report = REPORT.search(messages)
+    return done.returncode, messages[report.start():][:REPORT_LENGTH] if report else None
 
 
 def main():
