@@ -200,10 +200,11 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
       open();
       double argument[4];
       int count = 0;
-      do {
+      bool comma = true;
+      while (count < 3 || (count == 3 && comma)) {
         argument[count++] = parse_float();
-        if (count < 4) accept_comma();
-      } while (count < 3 || (count < 4 && !peek().is(Symbol::paren_close)));
+        if (count < 4) comma = accept_comma();
+      }
       expect(Symbol::paren_close);
       return number(argument[builtin::selected(argument[0], count)]);
     }

@@ -48,7 +48,13 @@ void Parser::State::execute_directive() {
     raw_next();
     error("there is no directive #" + std::string(names.text(word.name)));
   }
-  // A `#` before anything else that could stand there is passed over, as POV-Ray does.
+  // A `#` before anything else that could stand there is passed over, as POV-Ray does, but for numbers.
+  const Value* value = word.kind == TokenKind::identifier ? plain_value(word.name) : nullptr;
+  const bool number = word.kind == TokenKind::number || (value && value->kind() == ValueKind::number);
+  if (number) {
+    raw_next();
+    error("there is no directive that begins with a number");
+  }
   if (word.kind != TokenKind::keyword) return;
   for (const Directive& directive : kDirectives) {
     if (directive.word != word.keyword) continue;

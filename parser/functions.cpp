@@ -295,7 +295,8 @@ class FunctionBody {
 
 std::vector<Parser::State::FunctionParameter> Parser::State::parse_function_parameters() {
   std::vector<FunctionParameter> parameters;
-  do {
+  bool another = true;
+  while (another) {
     const Token token = peek();
     FunctionParameter parameter;
     if (token.kind == TokenKind::keyword && special_variable(token.keyword) >= 0) {
@@ -308,8 +309,8 @@ std::vector<Parser::State::FunctionParameter> Parser::State::parse_function_para
     if (parameters.size() == kMostParameters) error("a function has at most 56 parameters");
     parameters.push_back(parameter);
     consume();
-    accept_comma();
-  } while (!peek().is(Symbol::paren_close));
+    another = accept_comma() || !peek().is(Symbol::paren_close);
+  }
   consume();
   return parameters;
 }

@@ -287,9 +287,13 @@ void Parser::State::do_write() {
   if (file->mode == UserFile::Mode::read || !file->stream) {
     error("'" + file->path + "' is not open for writing");
   }
-  accept_comma();
   BinaryFormat format = BinaryFormat::none;
   while (!peek().is(Symbol::paren_close)) {
+    // Commas may stand anywhere; one ends a run of binary values.
+    if (accept_comma()) {
+      format = BinaryFormat::none;
+      continue;
+    }
     const BinaryFormat wanted = binary_format(look.token);
     if (wanted != BinaryFormat::none) {
       format = wanted;
@@ -317,8 +321,6 @@ void Parser::State::do_write() {
     } else {
       error_expected("a string or a numeric expression to write");
     }
-    // A comma ends a run of binary values.
-    if (accept_comma()) format = BinaryFormat::none;
   }
   expect(Symbol::paren_close);
 }

@@ -63,7 +63,8 @@ bool parse_statement(Parser& parser, TexturePtr& default_noted, NeedlessBounds& 
     if (parser.language_version() >= 370) {
       parser.warning("max_intersections has no effect any more");
     }
-  } else if (parser.at(Keyword::version)) {
+  } else if (parser.accept(Keyword::version)) {
+    parser.parse_float();
     parser.warning("'version' without '#' ends the scene here, as it does in POV-Ray");
     return false;
   } else if (parser.at_end()) {

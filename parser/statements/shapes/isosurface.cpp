@@ -113,17 +113,11 @@ ShapeNode parse_parametric(Parser& parser) {
     } else if (parser.accept(Keyword::precompute)) {
       node.precompute_depth = parser.parse_int();
       parser.accept_comma();
-      for (;;) {
-        if (parser.accept(Keyword::x)) {
-          node.precompute[0] = true;
-        } else if (parser.accept(Keyword::y)) {
-          node.precompute[1] = true;
-        } else if (parser.accept(Keyword::z)) {
-          node.precompute[2] = true;
-        } else {
-          break;
-        }
-        parser.accept_comma();
+      // Each at most once, in this order.
+      constexpr Keyword kAxes[] = {Keyword::x, Keyword::y, Keyword::z};
+      for (int axis = 0; axis < 3; ++axis) {
+        node.precompute[axis] = parser.accept(kAxes[axis]);
+        if (node.precompute[axis]) parser.accept_comma();
       }
       const auto& axes = node.precompute;
       if ((axes[0] || axes[1] || axes[2]) &&
