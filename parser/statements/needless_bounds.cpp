@@ -56,14 +56,20 @@ bool NeedlessBounds::is_finite(const ObjectPtr& object) {
   return size.x * size.y * size.z <= kInfiniteVolume;
 }
 
-int NeedlessBounds::count_in_union(const std::vector<ObjectPtr>& children, bool bounded) {
-  if (!bounded) {
-    int found = 0;
-    for (const ObjectPtr& child : children) found += count(child);
-    return found;
-  }
-  if (!std::all_of(children.begin(), children.end(),
-                   [&](const ObjectPtr& child) { return is_finite(child); })) {
+int NeedlessBounds::count_in_members(const std::shared_ptr<const ShapeNode>& shape) {
+  const auto* csg = std::get_if<CsgNode>(shape.get());
+  if (!csg || clean_.contains(shape)) return 0;
+  int found = 0;
+  for (const ObjectPtr& child : csg->children) found += count(child);
+  // Of copies the members are looked at once.
+  if (found == 0) clean_.insert(shape);
+  return found;
+}
+
+int NeedlessBounds::count_of_union(const ShapeNode& shape) {
+  const auto* csg = std::get_if<CsgNode>(&shape);
+  if (csg && !std::all_of(csg->children.begin(), csg->children.end(),
+                          [&](const ObjectPtr& child) { return is_finite(child); })) {
     return 0;
   }
   parser_.warning("this union needs no bounds");
@@ -71,25 +77,22 @@ int NeedlessBounds::count_in_union(const std::vector<ObjectPtr>& children, bool 
 }
 
 int NeedlessBounds::count(const ObjectPtr& object) {
-  const bool shared = object.use_count() > 1;
-  if (shared && clean_.contains(object)) return 0;
+  const ObjectNode* origin = object.get();
+  while (origin->base) origin = origin->base.get();
+  const ShapeNode& shape = *origin->shape;
   const Said said = what_is_said(*object);
-  const ShapeNode& shape = shape_of(*object);
   const auto* csg = std::get_if<CsgNode>(&shape);
-  const bool is_text = std::holds_alternative<Rare<TextNode>>(shape);
-  int found = 0;
-  if (is_text || (csg && csg->kind == CsgKind::union_)) {
-    if (!said.clips && said.split_union.value_or(true)) {
-      found = count_in_union(csg ? csg->children : std::vector<ObjectPtr>{},
-                             said.bounds && !(csg && csg->is_light_group));
-    }
-  } else if (said.bounds && !csg && !std::holds_alternative<PolyNode>(shape) &&
-             parser_.options().remove_bounds) {
-    parser_.warning("these bounds are not needed and are taken away");
-    found = 1;
+  if (std::holds_alternative<Rare<TextNode>>(shape) || (csg && csg->kind == CsgKind::union_)) {
+    if (said.clips || !said.split_union.value_or(true)) return 0;
+    const bool bounded = said.bounds && !(csg && csg->is_light_group);
+    return bounded ? count_of_union(shape) : count_in_members(origin->shape);
   }
-  if (shared && found == 0) clean_.insert(object);
-  return found;
+  if (!said.bounds || csg || std::holds_alternative<PolyNode>(shape) ||
+      !parser_.options().remove_bounds) {
+    return 0;
+  }
+  parser_.warning("these bounds are not needed and are taken away");
+  return 1;
 }
 
 }  // namespace durer

@@ -17,12 +17,14 @@ class NeedlessBounds {
 
  private:
   int count(const ObjectPtr& object);
-  int count_in_union(const std::vector<ObjectPtr>& children, bool bounded);
+  // Of what stands for itself in a union; of the union's own bounds.
+  int count_in_members(const std::shared_ptr<const ShapeNode>& shape);
+  int count_of_union(const ShapeNode& shape);
   bool is_finite(const ObjectPtr& object);
 
   Parser& parser_;
-  // Objects with several owners in which nothing was found.
-  std::unordered_set<ObjectPtr> clean_;
+  // Unions in whose members nothing was found.
+  std::unordered_set<std::shared_ptr<const ShapeNode>> clean_;
 };
 
 }  // namespace durer
