@@ -102,7 +102,8 @@ std::shared_ptr<const SkySphereNode> parse_sky_sphere(Parser& parser) {
   Transform transform;
   for (;;) {
     if (parser.accept(Keyword::pigment)) {
-      sky->pigments.push_back(parse_pigment(parser, default_texture(parser)->pigment));
+      // Nothing comes from #default.
+      sky->pigments.push_back(parse_pigment(parser, std::make_shared<const PigmentNode>()));
     } else if (parser.accept(Keyword::emission)) {
       sky->emission = parser.parse_rgb();
     } else if (accept_transformation(parser, transform)) {

@@ -166,7 +166,8 @@ class CameraReader {
       }
       parser_.expect_close("bokeh");
     } else if (parser_.accept(Keyword::normal)) {
-      camera_.normal = parse_normal(parser_, camera_.normal);
+      camera_.normal = parse_normal(
+          parser_, camera_.normal ? camera_.normal : default_texture(parser_)->normal);
     } else if (accept_transformation(parser_, transform)) {
       if (stepwise_) {
         apply(transform);

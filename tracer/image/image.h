@@ -82,6 +82,8 @@ class ImageSampler {
   int index(double x, double y) const;
   const Image& image() const { return *image_; }
   bool is_opaque() const;
+  // Without the `filter all` and `transmit all` of an image that has no palette.
+  bool is_opaque_before_additions() const;
   bool is_premultiplied() const { return premultiplied_; }
 
  private:

@@ -77,11 +77,16 @@ ImageSampler::ImageSampler(std::shared_ptr<const Image> image, const ImageSource
 }
 
 bool ImageSampler::is_opaque() const {
+  const bool adds = palette_.empty() && (added_filter_ != 0 || added_transmit_ != 0);
+  return is_opaque_before_additions() && !adds;
+}
+
+bool ImageSampler::is_opaque_before_additions() const {
   if (once_) return false;
   if (!palette_.empty())
     return std::all_of(palette_.begin(), palette_.begin() + image_->palette_size(),
                        [](const ColorRGBFT& c) { return c.is_opaque(); });
-  return image_->is_opaque() && added_filter_ == 0 && added_transmit_ == 0;
+  return image_->is_opaque();
 }
 
 bool ImageSampler::locate(const Vec3& p, double& x, double& y) const {

@@ -27,6 +27,8 @@ class ImagePigment final : public CompiledPigment {
     return true;
   }
   bool is_opaque() const override { return sampler_.is_opaque(); }
+  // Within other pigments POV-Ray forgets what the statement adds: shadows are black.
+  bool is_opaque_within() const override { return sampler_.is_opaque_before_additions(); }
 
  private:
   std::vector<Warp> warps_;

@@ -69,7 +69,7 @@ std::vector<PigmentEntry> compile_entries(const PigmentMap& map, const TextureSe
 
 bool all_opaque(const std::vector<PigmentEntry>& entries) {
   return std::all_of(entries.begin(), entries.end(),
-                     [](const PigmentEntry& entry) { return entry.item->is_opaque(); });
+                     [](const PigmentEntry& entry) { return entry.item->is_opaque_within(); });
 }
 
 class PigmentMapPigment : public CompiledPigment {
@@ -131,7 +131,7 @@ class UvPigment : public CompiledPigment {
   bool evaluate(const Vec3&, const TextureContext& context, ColorRGBFT& color) const override {
     return inner_->evaluate({context.uv.x, context.uv.y, 0}, context, color);
   }
-  bool is_opaque() const override { return inner_->is_opaque(); }
+  bool is_opaque() const override { return inner_->is_opaque_within(); }
 
  private:
   std::shared_ptr<const CompiledPigment> inner_;

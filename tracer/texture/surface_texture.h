@@ -30,6 +30,8 @@ class CompiledPigment {
                         ColorRGBFT& color) const = 0;
   // True if no point of it can have filter or transmit.
   virtual bool is_opaque() const = 0;
+  // What a pigment takes it for that is made of this one: see ImagePigment.
+  virtual bool is_opaque_within() const { return is_opaque(); }
 };
 
 class CompiledNormal {
