@@ -181,7 +181,7 @@ bool accept_kind(Parser& parser, PatternNode& node, PatternUse use) {
     node.facets = {};
   } else if (parser.accept(Keyword::pigment_pattern)) {
     node.kind = K::pigment_pattern;
-    node.pigment = parse_pigment(parser, default_texture(parser)->pigment);
+    node.pigment = parse_pigment(parser, std::make_shared<const PigmentNode>());
   } else if (parser.accept(Keyword::function)) {
     node.kind = K::function;
     node.function = parser.parse_function(FunctionParameters::xyz);

@@ -221,8 +221,9 @@ std::shared_ptr<const PatternNode> parse_function_pattern(Parser& parser) {
   return node;
 }
 
+// As in pigment_pattern, nothing comes from #default.
 std::shared_ptr<const PigmentNode> parse_function_pigment(Parser& parser) {
-  return parse_pigment(parser, default_texture(parser)->pigment);
+  return parse_pigment(parser, std::make_shared<const PigmentNode>());
 }
 
 }  // namespace durer
