@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tracer/intersect/convex_sweep.h"
-#include "tracer/intersect/geometry.h"
 
 namespace durer {
 namespace {
@@ -113,24 +112,13 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
   uint32_t outside = 0;  // members whose solids the sweep is not in
   for (uint32_t i = 0; i < node.swept.count; ++i) {
     const GeometryNode& member = nodes[child[i]];
-    const Transform* transform = member.transform < 0 ? nullptr : &transforms[member.transform];
     const uint32_t bit = 1u << i;
-    double low = kSweepStart, high = t_max;
-    if (member.is_boxed) ray.clip(member.reach, low, high);
-    LineHits met;
-    if (low <= high * (1 + 1e-12)) {
-      ShapeRay local = shape_ray(ray, transform);
-      local.csg_child = true;
-      member.shape->line_hits(local, met);
-      stack.count_test(member.shape_kind, met.count > 0);
-    }
-    const auto starts_inside = [&] {
-      const Vec3 start = ray.origin + kSweepStart * ray.direction;
-      return member.shape->inside(transform ? transform->inverse_point(start) : start);
-    };
+    SweptSolid solid(*this, member, ray);
+    solid.find_crossings(kSweepStart, t_max, true, stack);
+    const LineHits& met = solid.crossings;
     bool inside = false;
     if (member.is_half_space) {
-      inside = starts_inside();
+      inside = solid.holds_start();
     } else {
       if (met.count > 2) return Sweep::doubtful;
       if (met.count == 2) {
@@ -138,7 +126,7 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
       } else if (met.count == 1) {
         // Where the ray leaves, unless rounding took the other crossing.
         inside = met.t[0] > kSweepStart;
-        if (!inside || !starts_inside()) return Sweep::doubtful;
+        if (!inside || !solid.holds_start()) return Sweep::doubtful;
       }
     }
     if (inside == member.inverted) outside |= bit;

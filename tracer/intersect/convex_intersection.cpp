@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tracer/intersect/convex_sweep.h"
-#include "tracer/intersect/geometry.h"
 
 namespace durer {
 namespace {
@@ -42,28 +41,17 @@ Geometry::Sweep Geometry::sweep_convex_intersection(const GeometryNode& node,
     const uint32_t index = lists[node.swept.first + i];
     const GeometryNode& member = nodes[index];
     const double slack = 2 * doubt_at(way.leave.t);
-    LineHits met;
-    double low = way.enter.t - slack, high = way.leave.t + slack;
     // The first one's box has been met: hierarchies have no smaller one for the whole.
-    if (member.is_boxed && i > 0) ray.clip(member.reach, low, high);
-    const Transform* transform = member.transform < 0 ? nullptr : &transforms[member.transform];
-    if (low <= high) {
-      ShapeRay local = shape_ray(ray, transform);
-      local.csg_child = true;
-      member.shape->line_hits(local, met);
-      stack.count_test(member.shape_kind, met.count > 0);
-    }
-    const auto starts_inside = [&] {
-      const Vec3 start = ray.origin + kSweepStart * ray.direction;
-      return member.shape->inside(transform ? transform->inverse_point(start) : start);
-    };
+    SweptSolid solid(*this, member, ray);
+    solid.find_crossings(way.enter.t - slack, way.leave.t + slack, i > 0, stack);
+    const LineHits& met = solid.crossings;
 
     Span span{Border::of_ray(kSweepStart), Border::of_ray(t_max)};
     bool is_cut_out = member.inverted;
     bool is_met = true;
     if (member.is_half_space) {
       // What a half space leaves is one, too.
-      const bool starts = starts_inside() != member.inverted;
+      const bool starts = solid.holds_start() != member.inverted;
       is_cut_out = false;
       if (met.count == 0 || met.t[0] <= kSweepStart) {
         is_met = starts;
@@ -78,7 +66,7 @@ Geometry::Sweep Geometry::sweep_convex_intersection(const GeometryNode& node,
       span.leave = {met.t[last], index, met.part[last], false};
     } else if (met.count == 1) {
       // Where the ray leaves, unless rounding took the other crossing.
-      if (!(met.t[0] > kSweepStart) || !starts_inside()) return Sweep::doubtful;
+      if (!(met.t[0] > kSweepStart) || !solid.holds_start()) return Sweep::doubtful;
       span.leave = {met.t[0], index, met.part[0], false};
     } else if (met.count == 0) {
       is_met = false;
