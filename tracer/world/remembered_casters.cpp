@@ -6,6 +6,9 @@
 namespace durer {
 namespace {
 
+// Among more solids than that, the one remembered is seldom the one that a ray meets (decision 0069).
+constexpr size_t kMostRemembered = 6;
+
 GeometryRay own_ray(const WorldData& data, const RememberedCaster& caster, const GeometryRay& ray) {
   return caster.instance < 0 ? ray : local_ray(data.instances[caster.instance], ray);
 }
@@ -93,6 +96,7 @@ std::vector<RememberedCaster> find_remembered_casters(const WorldData& data,
                                                       const IsOpaque& is_opaque) {
   Finder finder(data, is_opaque);
   std::vector<RememberedCaster> casters = finder.candidates();
+  if (casters.size() > kMostRemembered) return {};
   std::erase_if(
       casters, [&](const RememberedCaster& caster) { return !finder.shows_opaque_member(caster); });
   return casters;

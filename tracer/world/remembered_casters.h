@@ -9,7 +9,7 @@ namespace durer {
 // Whether nothing of a node lets light through: by its textures.
 using IsOpaque = std::function<bool(uint32_t node)>;
 
-// Of the scene, by textures and by what can be seen from outside.
+// Of the scene, by textures and by what can be seen from outside; none if there are many.
 std::vector<RememberedCaster> find_remembered_casters(const WorldData& data,
                                                       const IsOpaque& is_opaque);
 
