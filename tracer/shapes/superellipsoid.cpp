@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/power.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
@@ -9,15 +10,6 @@ namespace {
 
 constexpr double kHalfCube = 1.01;
 constexpr int kMostSteps = 20;
-
-double power(double base, double exponent) {
-  if (exponent == std::floor(exponent) && exponent >= 0 && exponent <= 6) {
-    double result = 1;
-    for (int i = static_cast<int>(exponent); i > 0; --i) result *= base;
-    return result;
-  }
-  return std::pow(base, exponent);
-}
 
 // (a^E + b^E)^(1/E) without overflow.
 double combine(double a, double b, double exponent) {
