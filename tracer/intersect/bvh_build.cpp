@@ -12,6 +12,8 @@ namespace durer {
 namespace {
 
 constexpr int kBins = 16;
+// Ranges of up to this many are split exactly: bins would cost more than they save.
+constexpr uint32_t kExactSize = 12;
 constexpr uint32_t kLeafSize = 2;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -132,6 +134,10 @@ class Builder {
     for (int a = 1; a < 3; ++a) {
       if (extents[a] > extents[axis]) axis = a;
     }
+    if (whole.count() <= kExactSize) {
+      split_exactly(left, right, axis);
+      return;
+    }
     const float scale = kBins / extents[axis];
     const auto bin_of = [&, low = least[axis]](const BvhBuildItem& item) {
       const int bin = static_cast<int>((center(item, axis) - low) * scale);
@@ -154,6 +160,41 @@ class Builder {
       } else {
         right.extend(item);
         std::swap(item, boxes_[--right.begin]);
+      }
+    }
+  }
+
+  // The same of a few: sorted along the axis, every place between two is a candidate.
+  void split_exactly(Range& left, Range& right, int axis) {
+    const uint32_t begin = left.begin, count = left.count();
+    BvhBuildItem* const item = &boxes_[begin];
+    for (uint32_t i = 1; i < count; ++i) {
+      const BvhBuildItem moved = item[i];
+      const float place = moved.low[axis] + moved.high[axis];
+      uint32_t j = i;
+      for (; j > 0 && item[j - 1].low[axis] + item[j - 1].high[axis] > place; --j) {
+        item[j] = item[j - 1];
+      }
+      item[j] = moved;
+    }
+    Range after[kExactSize];  // the items from each place on
+    Range swept{begin + count, begin + count, {}, {}};
+    for (uint32_t i = count - 1; i > 0; --i) {
+      swept.extend(item[i]);
+      swept.begin = begin + i;
+      after[i] = swept;
+    }
+    swept = {begin, begin, {}, {}};
+    float best = 0;
+    for (uint32_t i = 1; i < count; ++i) {
+      swept.extend(item[i - 1]);
+      swept.end = begin + i;
+      const float cost = swept.box.half_area() * static_cast<float>(i) +
+                         after[i].box.half_area() * static_cast<float>(count - i);
+      if (i == 1 || cost < best) {
+        best = cost;
+        left = swept;
+        right = after[i];
       }
     }
   }
