@@ -3,5 +3,5 @@
 // (docs/decisions/0061-memory-from-jemalloc.md). The library looks for this name.
 extern "C" {
 extern const char* malloc_conf;
-const char* malloc_conf = "thp:always,oversize_threshold:0";
+const char* malloc_conf = "thp:always,oversize_threshold:0,lg_extent_max_active_fit:14";
 }

@@ -3,6 +3,7 @@
 
 #include "parser/parser.h"
 #include "parser/statements/textures.h"
+#include "tracer/scene/node_memory.h"
 
 namespace durer {
 namespace {
@@ -178,7 +179,7 @@ std::shared_ptr<const FinishNode> parse_finish(Parser& parser,
                                                const std::shared_ptr<const FinishNode>& start) {
   parser.expect_open("finish");
   const auto named = parser.accept_identifier<FinishNode>(ValueKind::finish);
-  auto finish = std::make_shared<FinishNode>(named ? *named : *start);
+  auto finish = make_node<FinishNode>(named ? *named : *start);
   FinishReader(parser, *finish).read();
   parser.expect_close("finish");
   return finish;

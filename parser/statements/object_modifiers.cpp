@@ -5,6 +5,7 @@
 #include "parser/statements/objects.h"
 #include "parser/statements/textures.h"
 #include "parser/statements/transformations.h"
+#include "tracer/scene/node_memory.h"
 
 namespace durer {
 namespace {
@@ -33,7 +34,7 @@ ClipState clip_state(const ObjectNode& object) {
 }  // namespace
 
 ObjectBuilder::ObjectBuilder(Parser& parser)
-    : parser_(parser), node_(std::make_shared<ObjectNode>()) {
+    : parser_(parser), node_(make_node<ObjectNode>()) {
   node_->position = parser.position();
 }
 
@@ -57,7 +58,7 @@ void ObjectBuilder::set_base(const ObjectPtr& base) {
 }
 
 void ObjectBuilder::set_shape(ShapeNode shape) {
-  node_->shape = std::make_shared<const ShapeNode>(std::move(shape));
+  node_->shape = make_node<const ShapeNode>(std::move(shape));
 }
 
 void ObjectBuilder::set_csg(CsgNode csg) {

@@ -4,6 +4,7 @@
 #include "parser/statements/objects.h"
 #include "parser/statements/pattern.h"
 #include "parser/statements/textures.h"
+#include "tracer/scene/node_memory.h"
 #include "tracer/texture/default_maps.h"
 
 namespace durer {
@@ -163,7 +164,7 @@ std::shared_ptr<const PigmentNode> read_contents(Parser& parser,
                                                  PatternUse use) {
   const ValueKind kind = use == PatternUse::density ? ValueKind::density : ValueKind::pigment;
   const auto named = parser.accept_identifier<PigmentNode>(kind);
-  auto node = std::make_shared<PigmentNode>(named ? *named : *start);
+  auto node = make_node<PigmentNode>(named ? *named : *start);
   PigmentReader reader(parser, *node, use);
   if (named) reader.set_started_from_identifier();
   reader.read();

@@ -5,6 +5,7 @@
 #include "parser/statements/pattern.h"
 #include "parser/statements/textures.h"
 #include "parser/statements/transformations.h"
+#include "tracer/scene/node_memory.h"
 #include "tracer/scene/scene.h"
 
 namespace durer {
@@ -274,7 +275,7 @@ TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TextureP
 }
 
 TexturePtr parse_texture_part(Parser& parser, Keyword part, const TexturePtr& start) {
-  auto texture = std::make_shared<TextureNode>(*start);
+  auto texture = make_node<TextureNode>(*start);
   if (part == Keyword::pigment) {
     texture->pigment = parse_pigment(parser, texture->pigment);
   } else if (part == Keyword::normal) {

@@ -9,14 +9,14 @@
 namespace durer {
 namespace {
 
-ObjectPtr object(ShapeNode shape, std::vector<Modifier> modifiers = {}) {
+ObjectPtr object(ShapeNode shape, decltype(ObjectNode::modifiers) modifiers = {}) {
   auto node = std::make_shared<ObjectNode>();
   node->shape = std::make_shared<const ShapeNode>(std::move(shape));
   node->modifiers = std::move(modifiers);
   return node;
 }
 
-ObjectPtr csg(CsgKind kind, std::vector<ObjectPtr> children, std::vector<Modifier> modifiers = {}) {
+ObjectPtr csg(CsgKind kind, std::vector<ObjectPtr> children, decltype(ObjectNode::modifiers) modifiers = {}) {
   CsgNode node;
   node.kind = kind;
   node.children = std::move(children);

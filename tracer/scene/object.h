@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "tracer/scene/node_memory.h"
 #include "tracer/scene/rare.h"
 #include "tracer/scene/shapes.h"
 
@@ -54,7 +55,7 @@ struct ObjectNode {
   // Exactly one of these: the statement's own shape, or the object that it copies.
   std::shared_ptr<const ShapeNode> shape;
   ObjectPtr base;
-  std::vector<Modifier> modifiers;
+  std::vector<Modifier, NodeAllocator<Modifier>> modifiers;
   SourcePosition position;
   // Levels of CSG below this object, and of copies of copies: the parser bounds both.
   int csg_depth = 0, copy_depth = 0;
