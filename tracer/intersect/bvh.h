@@ -10,6 +10,7 @@
 
 #include "tracer/math/bounds.h"
 #include "tracer/math/min_max.h"
+#include "tracer/math/ray.h"
 
 namespace durer {
 
@@ -51,6 +52,9 @@ struct BvhRay {
 };
 static_assert(offsetof(Bounds, max) == sizeof(Vec3));
 
+struct BvhBeam;
+struct BvhWalk;
+
 class Bvh {
  public:
   // Boxes must be finite and not empty; item i is boxes[i].
@@ -63,8 +67,13 @@ class Bvh {
   // bool visit(uint32_t first, uint32_t count, double& t_max) tests one leaf's items, `count`
   // positions from `first` on in items(); it may lower t_max and returns true to end the walk.
   // Defined in bvh_walk.h.
-  template <typename Visitor>
+  template <bool kAnyOrder = false, typename Visitor>
   void visit_ray(const BvhRay& ray, double t_max, Visitor&& visit) const;
+  // Walks once for all rays of a bundle; t_max as below. False: nothing would be gained.
+  bool make_beam(const Ray* rays, int count, double t_max, BvhBeam& beam) const;
+  // visit_ray() for one of these rays.
+  template <typename Visitor>
+  void visit_beam_ray(const BvhBeam& beam, const BvhRay& ray, double t_max, Visitor&& visit) const;
   // Visits the items whose boxes contain the point, perhaps also others.
   // bool visit(uint32_t position): one item's position in items(); true ends the walk.
   template <typename Visitor>
@@ -77,6 +86,8 @@ class Bvh {
   size_t memory() const { return nodes_.size() * sizeof(BvhNode) + items_.size() * 4; }
 
  private:
+  bool start_walk(const BvhRay& ray, double t_max, BvhWalk& walk) const;
+
   std::vector<BvhNode> nodes_;   // root first
   std::vector<uint32_t> items_;  // in leaf order
   Bounds bounds_;

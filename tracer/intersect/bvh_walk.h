@@ -4,15 +4,21 @@
 // that copy for all.)
 #pragma once
 
-#include "tracer/intersect/bvh.h"
+#include "tracer/intersect/bvh_beam.h"
 
 namespace durer {
 
 // A ray as the walk sees it, in single precision.
 struct BvhWalk {
+  // Errors of the slab test: three roundings per distance.
+  static constexpr float kWiden = 1.0f + 4e-7f;
+
   float origin[3];   // relative to the centre of the hierarchy
   float inverse[3];  // of the direction; infinite where that is 0
   double t_offset;   // what the true origin lies before `origin`
+
+  // What boxes must be entered before.
+  float limit(double t_max) const { return static_cast<float>(t_max - t_offset) * kWiden; }
 };
 
 // A child that waits for its turn, and where the ray enters it.
@@ -42,24 +48,44 @@ namespace v3_walk {
 }  // namespace v3_walk
 #pragma GCC diagnostic pop
 
-template <typename Visitor>
-void Bvh::visit_ray(const BvhRay& ray, double t_max, Visitor&& visit) const {
-  if (nodes_.empty()) return;
+// False: the ray passes by the whole hierarchy.
+[[gnu::always_inline]] inline bool Bvh::start_walk(const BvhRay& ray, double t_max, BvhWalk& walk) const {
   // Clip to the whole in double, and start there: far origins would lose their digits.
   double enter = 0, leave = t_max;
   if (!reach_.contains(ray.origin)) {
     ray.clip(reach_, enter, leave);
-    if (!(enter <= leave * (1 + 1e-12))) return;
+    if (!(enter <= leave * (1 + 1e-12))) return false;
   }
-  BvhWalk walk;
   walk.t_offset = enter;
   for (int axis = 0; axis < 3; ++axis) {
     walk.origin[axis] =
         static_cast<float>(ray.origin[axis] + enter * ray.direction[axis] - center_[axis]);
     walk.inverse[axis] = static_cast<float>(ray.inverse[axis]);
   }
-  kHasX86v3 ? v3_walk::walk_ray(nodes_.data(), walk, t_max, visit)
-            : base_walk::walk_ray(nodes_.data(), walk, t_max, visit);
+  return true;
+}
+
+template <bool kAnyOrder, typename Visitor>
+void Bvh::visit_ray(const BvhRay& ray, double t_max, Visitor&& visit) const {
+  BvhWalk walk;
+  if (nodes_.empty() || !start_walk(ray, t_max, walk)) return;
+  const BvhNode* nodes = nodes_.data();
+  kHasX86v3 ? v3_walk::walk_ray<kAnyOrder>(nodes, *nodes, walk, t_max, visit)
+            : base_walk::walk_ray<kAnyOrder>(nodes, *nodes, walk, t_max, visit);
+}
+
+template <typename Visitor>
+void Bvh::visit_beam_ray(const BvhBeam& beam, const BvhRay& ray, double t_max,
+                         Visitor&& visit) const {
+  BvhWalk walk;
+  if (beam.groups == 0 || !start_walk(ray, t_max, walk)) return;
+  const BvhNode* nodes = nodes_.data();
+  for (int i = 0; i < beam.groups; ++i) {
+    if (i > 0 && beam.near[i] > walk.limit(t_max)) return;
+    const bool ended = kHasX86v3 ? v3_walk::walk_ray<false>(nodes, beam.group[i], walk, t_max, visit)
+                                 : base_walk::walk_ray<false>(nodes, beam.group[i], walk, t_max, visit);
+    if (ended) return;
+  }
 }
 
 template <typename Visitor>

@@ -167,7 +167,7 @@ void Geometry::for_each_child_met(const GeometryNode& node, const GeometryRay& r
     const ChildTree& tree = *trees[node.tree];
     ChildPicker picker;
     for (const uint32_t i : tree.others) picker.add(i);
-    tree.bvh.visit_ray(ray, interval.max, [&](uint32_t first, uint32_t count, double&) {
+    tree.bvh.visit_ray<true>(ray, interval.max, [&](uint32_t first, uint32_t count, double&) {
       for (uint32_t i = first; i < first + count; ++i) picker.add(tree.bounded[i]);
       return picker.overflowed();
     });

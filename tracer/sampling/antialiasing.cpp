@@ -47,6 +47,19 @@ EdgeSamples::Samples bordering_samples(EdgeSamples::Samples of_neighbour, int co
   return samples;
 }
 
+// One sample for each pixel of a row from (x, y) on, neighbours together.
+void sample_row(const PixelSampler& sampler, int x, int y, std::vector<PixelColor>& colors,
+                RenderStatistics& statistics) {
+  constexpr int kTogether = 4;
+  const int width = static_cast<int>(colors.size());
+  for (int first = 0; first < width; first += kTogether) {
+    Vec2 places[kTogether];
+    const int count = std::min(kTogether, width - first);
+    for (int i = 0; i < count; ++i) places[i] = {x + first + i, y};
+    sampler.sample_together(places, count, colors.data() + first, statistics);
+  }
+}
+
 }  // namespace
 
 SampleContrast::SampleContrast(const Scene& scene, const RenderOptions& options)
@@ -129,12 +142,21 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
     bool supersampled = false;
   };
   std::vector<Cell> above(width), current(width);
+  std::vector<PixelColor> row(width - 1);
 
   const int k = options.antialias_depth;
   const double amplitude = options.jitter_amount / k;
   const double reach = 0.5 - 1.0 / (2 * k);
   auto supersample = [&](int x, int y, Cell& cell) {
     PixelColor sum = cell.color;
+    Vec2 places[PixelSampler::kMostTogether];
+    PixelColor colors[PixelSampler::kMostTogether];
+    int waiting = 0;
+    const auto sample = [&] {
+      sampler.sample_together(places, waiting, colors, statistics);
+      for (int i = 0; i < waiting; ++i) sum = sum + colors[i];
+      waiting = 0;
+    };
     for (double oy = -reach; oy <= reach + kEpsilon; oy += 1.0 / k) {
       for (double ox = -reach; ox <= reach + kEpsilon; ox += 1.0 / k) {
         double sx = x + ox, sy = y + oy;
@@ -143,9 +165,11 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
           sx += amplitude * jitter.x;
           sy += amplitude * jitter.y;
         }
-        sum = sum + sampler.sample(sx, sy, statistics);
+        places[waiting++] = {sx, sy};
+        if (waiting == PixelSampler::kMostTogether) sample();
       }
     }
+    sample();
     cell.color = scaled(sum, 1.0f / static_cast<float>(k * k + 1));
     cell.supersampled = true;
     if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;
@@ -163,10 +187,11 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
   lower_edge.reserve(top.size());
   for (int y = block.top; y < block.bottom; ++y) {
     current[0] = {left[y - block.top], true};
+    sample_row(sampler, block.left, y, row, statistics);
     for (int i = 1; i < width; ++i) {
       const int x = block.left + i - 1;
       Cell& cell = current[i];
-      cell = {sampler.sample(x, y, statistics), false};
+      cell = {row[i - 1], false};
       if (x == block.right - 1) right_edge.push_back(cell.color);
       if (y == block.bottom - 1) lower_edge.push_back(cell.color);
       if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;

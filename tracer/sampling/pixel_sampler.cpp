@@ -2,12 +2,17 @@
 
 #include <bit>
 
+#include "tracer/intersect/bvh_beam.h"
 #include "tracer/world/pattern_services.h"
 
 namespace durer {
 namespace {
 
 constexpr double kEpsilon = 1e-10;
+
+uint64_t path_of(double x, double y) {
+  return extend_path(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y));
+}
 
 }  // namespace
 
@@ -43,13 +48,15 @@ void PixelSampler::interiors_at(const Vec3& point, InteriorList& list) const {
   for (int i = 0; i < count; ++i) list.append(found[i]);
 }
 
-PixelColor PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& statistics) const {
+PixelColor PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
+                               const BvhBeam* beam) const {
   TracedRay traced;
   traced.origin = ray.origin;
   traced.direction = ray.direction;
   traced.max_depth = max_depth_;
   traced.kind.primary = true;
   traced.path = path;
+  traced.beam = beam;
   if (looks_around_) {
     interiors_at(ray.origin, traced.interiors);
   } else {
@@ -63,7 +70,7 @@ PixelColor PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& 
 PixelColor PixelSampler::sample(double x, double y, RenderStatistics& statistics) const {
   ++statistics.samples;
   const PixelColor none{RGB(0.0f), 1};
-  const uint64_t path = extend_path(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y));
+  const uint64_t path = path_of(x, y);
   Ray ray;
   if (focal_blur_) {
     return focal_blur_->sample(x, y, [&](double sx, double sy, const Vec2& lens, int number) {
@@ -87,6 +94,32 @@ PixelColor PixelSampler::sample(double x, double y, RenderStatistics& statistics
   if (count == 0) return none;
   const float share = 1.0f / static_cast<float>(count);
   return {sum.color * share, sum.transmit * share};
+}
+
+void PixelSampler::sample_together(const Vec2* places, int count, PixelColor* colors,
+                                   RenderStatistics& statistics) const {
+  Ray ray[kMostTogether];
+  int number[kMostTogether];
+  int rays = 0;
+  const bool one_each = !focal_blur_ && camera_.rays_per_pixel() == 1;
+  for (int i = 0; i < count; ++i) {
+    if (!one_each) {
+      colors[i] = sample(places[i].x, places[i].y, statistics);
+      continue;
+    }
+    ++statistics.samples;
+    colors[i] = {RGB(0.0f), 1};
+    if (camera_.generate_ray(places[i].x + 0.5, places[i].y + 0.5, 0, ray[rays])) {
+      number[rays++] = i;
+    }
+  }
+  BvhBeam beam;
+  const bool is_beam = rays > 1 && scene_.world->make_beam(ray, rays, max_depth_, beam);
+  for (int i = 0; i < rays; ++i) {
+    const Vec2& place = places[number[i]];
+    colors[number[i]] =
+        trace(ray[i], path_of(place.x, place.y), statistics, is_beam ? &beam : nullptr);
+  }
 }
 
 }  // namespace durer

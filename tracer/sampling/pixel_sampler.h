@@ -18,9 +18,14 @@ class PixelSampler {
   // x, y: pixel coordinates with integers at pixel centres. Not clipped to the picture. With focal
   // blur and mesh cameras the mean of many rays.
   PixelColor sample(double x, double y, RenderStatistics& statistics) const;
+  // The same of places that lie close together, at most kMostTogether: quicker, not different.
+  static constexpr int kMostTogether = 32;
+  void sample_together(const Vec2* places, int count, PixelColor* colors,
+                       RenderStatistics& statistics) const;
 
  private:
-  PixelColor trace(const Ray& ray, uint64_t path, RenderStatistics& statistics) const;
+  PixelColor trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
+                   const BvhBeam* beam = nullptr) const;
   void interiors_at(const Vec3& point, InteriorList& list) const;
   void find_interiors_of_first_ray(int width, int height);
 

@@ -58,6 +58,7 @@ struct TracedRay {
   // A hash of the ray's history: pixel, sub-sample and each bounce. Random draws that POV-Ray takes
   // from a thread's stream are functions of it (design.md rule 4a).
   uint64_t path = 0;
+  const BvhBeam* beam = nullptr;  // of primary rays that fly in a bundle, else null
   PathEvents events;
   SpectralBand band;
   InteriorList interiors;

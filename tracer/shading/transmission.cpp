@@ -35,6 +35,7 @@ bool WhittedIntegrator::transmit_ray(const TracedRay& ray, const SurfaceHit& hit
 
   // What the ray is in behind the surface, and the ratio of the indices.
   TracedRay next = ray;
+  next.beam = nullptr;
   InteriorList& behind = next.interiors;
   double ratio = 1, dispersion = 1;
   int samples = interior.dispersion_samples;

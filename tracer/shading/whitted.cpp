@@ -54,7 +54,7 @@ RayResult WhittedIntegrator::follow(const TracedRay& ray, RayCounts& counts) con
 
   Hit hit;
   const bool met =
-      scene_.world->closest_hit(ray.origin, ray.direction, ray.kind, ray.max_depth, hit);
+      scene_.world->closest_hit(ray.origin, ray.direction, ray.kind, ray.max_depth, hit, ray.beam);
   if (met) {
     SurfacePoint surface;
     scene_.world->surface_point(ray.origin, ray.direction, hit, surface);
@@ -489,6 +489,7 @@ RGB WhittedIntegrator::reflect(const TracedRay& ray, const SurfaceHit& hit, cons
   next.origin = hit.surface.point;
   next.direction = unit_or_zero(direction);
   next.max_depth = kFarAway;
+  next.beam = nullptr;
   next.kind.primary = false;
   next.kind.reflected = true;
   next.spawned_as = RayKind::reflected;

@@ -62,18 +62,23 @@ struct ClosestSearch {
   uint32_t instance = 0;
   ShapeRay straight;  // for shapes without a transform
 
-  void run() {
+  void run(const BvhBeam* beam = nullptr) {
     for (const SearchItem& item : list.infinite) test(item);
     if (list.is_scanned) {
       for (const SearchItem& item : list.finite) test(item);
       return;
     }
-    list.bvh.visit_ray(ray, best, [this](uint32_t first, uint32_t count, double& t_max) {
+    const auto test_leaf = [this](uint32_t first, uint32_t count, double& t_max) {
       const SearchItem* item = list.finite.data() + first;
       for (const SearchItem* end = item + count; item < end; ++item) test(*item);
       t_max = best;
       return false;
-    });
+    };
+    if (beam) {
+      list.bvh.visit_beam_ray(*beam, ray, best, test_leaf);
+    } else {
+      list.bvh.visit_ray(ray, best, test_leaf);
+    }
   }
 
   void test(const SearchItem& item) {
@@ -168,7 +173,7 @@ struct OcclusionSearch {
       }
       return false;
     }
-    list.bvh.visit_ray(ray, max_t, [this, &list](uint32_t first, uint32_t count, double&) {
+    list.bvh.visit_ray<true>(ray, max_t, [this, &list](uint32_t first, uint32_t count, double&) {
       for (uint32_t i = first; i < first + count; ++i) {
         if (!blocks(list.finite[i])) continue;
         blocker = i;
@@ -288,13 +293,18 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
 }
 
 bool World::closest_hit(const Vec3& origin, const Vec3& unit_direction, const RayClass& kind,
-                        double max_t, Hit& hit) const {
+                        double max_t, Hit& hit, const BvhBeam* beam) const {
   const WorldData& data = impl_->data;
   const GeometryRay ray(origin, unit_direction, kind_bits(kind));
   const ObjectSet& set = data.scene;
   ClosestSearch search(data, set, set.all, ray, scratch(), max_t);
-  search.run();
+  search.run(beam);
   return found(search, hit);
+}
+
+bool World::make_beam(const Ray* rays, int count, double max_t, BvhBeam& beam) const {
+  const SearchList& list = impl_->data.scene.all;
+  return !list.is_scanned && list.bvh.make_beam(rays, count, max_t, beam);
 }
 
 bool World::has_clear_casters() const {

@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "tracer/math/ray.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shapes/shape_tests.h"
 #include "tracer/texture/surface_texture.h"
 
 namespace durer {
+
+struct BvhBeam;
 
 // Ray-kind flags that decide which objects a ray sees (spec/geometry.md 6.5).
 struct RayClass {
@@ -135,8 +138,11 @@ class World {
   ~World();
 
   // The nearest hit with 1e-4 <= t < max_t among what this kind of ray sees (geometry.md 2).
+  // `beam`: of a bundle that this ray belongs to, or null; the hit is the same.
   bool closest_hit(const Vec3& origin, const Vec3& unit_direction, const RayClass& kind,
-                   double max_t, Hit& hit) const;
+                   double max_t, Hit& hit, const BvhBeam* beam = nullptr) const;
+  // Prepares for a bundle of rays, closest_hit() with this max_t. False: it is not worth it.
+  bool make_beam(const Ray* rays, int count, double max_t, BvhBeam& beam) const;
   void surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
                      SurfacePoint& out) const;
   // True if an object whose textures are all opaque and which casts shadows lies at 1e-3 < t < max_t.
