@@ -5,8 +5,11 @@
 #include FT_OUTLINE_H
 #include FT_TRUETYPE_TABLES_H
 
+#include <immintrin.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -27,6 +30,30 @@ struct Edge {
   Vec2 tangent(double u) const {
     return curved ? 2 * (1 - u) * (b - a) + 2 * u * (c - b) : c - a;
   }
+};
+
+// The box of an edge, and a hair more than rounding and the tolerances below can move a point.
+class EdgeBox {
+ public:
+  explicit EdgeBox(const Edge& e) {
+    const Vec2& control = e.curved ? e.b : e.a;
+    const Vec2 low = glm::min(glm::min(e.a, e.c), control);
+    const Vec2 high = glm::max(glm::max(e.a, e.c), control);
+    corners_ = _mm_setr_ps(wide(-low.x), wide(-low.y), wide(high.x), wide(high.y));
+  }
+  // A box to be asked about, infinite perhaps.
+  static __m128 question(const Vec2& low, const Vec2& high) {
+    return _mm_setr_ps(static_cast<float>(-high.x), static_cast<float>(-high.y),
+                       static_cast<float>(low.x), static_cast<float>(low.y));
+  }
+  bool overlaps(__m128 question) const {
+    return _mm_movemask_ps(_mm_cmplt_ps(corners_, question)) == 0;
+  }
+
+ private:
+  static float wide(double x) { return static_cast<float>(x + 1e-5 * (1 + std::abs(x))); }
+
+  __m128 corners_;  // -low, high
 };
 
 // Roots in [0,1] of q[0] u^2 + q[1] u + q[2].
@@ -51,7 +78,8 @@ int solve_edge(const double* q, double* roots) {
 
 class Glyph final : public Shape {
  public:
-  Glyph(std::vector<Edge> edges, double depth) : edges_(std::move(edges)), depth_(depth) {
+  Glyph(std::vector<Edge> edges, double depth)
+      : edges_(std::move(edges)), edge_boxes_(edges_.begin(), edges_.end()), depth_(depth) {
     for (const Edge& e : edges_) {
       for (const Vec2& p : {e.a, e.c, e.curved ? e.b : e.a}) {
         box_.extend(Vec3(p.x, p.y, -1e-6));
@@ -70,7 +98,9 @@ class Glyph final : public Shape {
     }
     // A ray along z meets no wall.
     if (d.x == 0 && d.y == 0) return;
+    const __m128 way = way_between_faces(p, d);
     for (size_t i = 0; i < edges_.size(); ++i) {
+      if (!edge_boxes_[i].overlaps(way)) continue;
       const Edge& e = edges_[i];
       const auto side = [&](const Vec2& q) { return d.x * (q.y - p.y) - d.y * (q.x - p.x); };
       const double a = side(e.a), c = side(e.c);
@@ -113,11 +143,31 @@ class Glyph final : public Shape {
     if (t > 1e-6 && covers(p.x + t * d.x, p.y + t * d.y)) out.push(t, part);
   }
 
+  // Around the part of a ray that may meet walls, for EdgeBox.
+  __m128 way_between_faces(const Vec3& p, const Vec3& d) const {
+    double first = 0, last = std::numeric_limits<double>::infinity();
+    if (d.z != 0) {
+      const double near = -p.z / d.z, far = (depth_ - p.z) / d.z;
+      first = std::max(first, std::min(near, far));
+      last = std::max(near, far);
+    }
+    const auto along = [](double from, double slope, double t) {
+      return slope == 0 ? from : from + slope * t;
+    };
+    const Vec2 start(along(p.x, d.x, first), along(p.y, d.y, first));
+    const Vec2 end(along(p.x, d.x, last), along(p.y, d.y, last));
+    return EdgeBox::question(glm::min(start, end), glm::max(start, end));
+  }
+
   // Even-odd parity along +x.
   bool covers(double x, double y) const {
     if (x < box_.min.x || x > box_.max.x || y < box_.min.y || y > box_.max.y) return false;
     bool inside = false;
-    for (const Edge& e : edges_) {
+    const __m128 way =
+        EdgeBox::question(Vec2(x, y), Vec2(std::numeric_limits<double>::infinity(), y));
+    for (size_t i = 0; i < edges_.size(); ++i) {
+      if (!edge_boxes_[i].overlaps(way)) continue;
+      const Edge& e = edges_[i];
       if (!e.curved) {
         if ((e.a.y < y) == (e.c.y < y)) continue;
         const double crossing = e.a.x + (y - e.a.y) * (e.c.x - e.a.x) / (e.c.y - e.a.y);
@@ -128,11 +178,11 @@ class Glyph final : public Shape {
       if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) continue;
       const double q[3] = {a - 2 * b + c, 2 * (b - a), a};
       double u[2];
-      for (int i = solve_edge(q, u); i-- > 0;) {
+      for (int k = solve_edge(q, u); k-- > 0;) {
         // At an end the curve must cross there, so that neighbours do not both count.
-        if (u[i] <= kGeometryEpsilon && !leaves(a, b, c)) continue;
-        if (u[i] >= 1 - kGeometryEpsilon && !leaves(c, b, a)) continue;
-        if (e.point(u[i]).x > x) inside = !inside;
+        if (u[k] <= kGeometryEpsilon && !leaves(a, b, c)) continue;
+        if (u[k] >= 1 - kGeometryEpsilon && !leaves(c, b, a)) continue;
+        if (e.point(u[k]).x > x) inside = !inside;
       }
     }
     return inside;
@@ -145,6 +195,7 @@ class Glyph final : public Shape {
   }
 
   std::vector<Edge> edges_;
+  std::vector<EdgeBox> edge_boxes_;  // of the same
   double depth_;
   Bounds box_;
 };
