@@ -31,6 +31,7 @@ struct Complex {
     const double d = b.re * b.re + b.im * b.im;
     return {(a.re * b.re + a.im * b.im) / d, (a.im * b.re - a.re * b.im) / d};
   }
+  bool operator==(const Complex& other) const { return re == other.re && im == other.im; }
   double squared() const { return re * re + im * im; }
 };
 
@@ -84,10 +85,27 @@ double Fractal<kMap>::base_value(const Vec3& p, const PatternContext&) const {
   const Complex c = kIsJulia ? Complex{f_.coordinates.x, f_.coordinates.y} : point;
   Complex z = kIsMagnet && !kIsJulia ? Complex{0, 0} : point;
   double least = kIsMagnet && !kIsJulia ? 10000 : z.squared();
-  for (int k = 0; k < f_.iterations; ++k) {
-    z = step(z, c);
-    least = std::min(least, z.squared());
-    if (stops(z)) return exterior(z, k);
+  // An orbit that comes back to the very same number goes round for ever (Brent 1980, "An improved
+  // Monte Carlo factorization algorithm": it is compared with its place at the last power of two).
+  // Asked once in so many steps, since most orbits escape.
+  constexpr int kLap = 32;
+  Complex mark = z;
+  int marked = 0;
+  for (int k = 0; k < f_.iterations;) {
+    const int lap_end = f_.iterations - k > kLap ? k + kLap : f_.iterations;
+    for (; k < lap_end; ++k) {
+      z = step(z, c);
+      least = std::min(least, z.squared());
+      if (stops(z)) return exterior(z, k);
+    }
+    if (z == mark) {
+      for (int left = (f_.iterations - k) % (k - marked); left > 0; --left) z = step(z, c);
+      break;
+    }
+    if (k >= 2 * marked) {
+      mark = z;
+      marked = k;
+    }
   }
   return interior(z, least);
 }
