@@ -19,11 +19,13 @@ class RandomMembers {
  public:
   std::string next() {
     std::string text;
-    switch (random_() % 5) {
+    switch (random_() % 7) {
       case 0: text = "sphere { " + place() + ", " + number(size()); break;
       case 1: text = "box { -" + number(size()) + ", " + number(size()); break;
       case 2: text = "cylinder { " + place() + ", " + place() + "+y, " + number(size()); break;
       case 3: text = "cone { " + place() + ", " + number(size()) + ", " + place() + "-y, 0.2"; break;
+      case 4:
+      case 5: text = quadric(); break;
       default: text = "plane { " + place() + "+y*0.1, " + number(0.3 * size()); break;
     }
     if (random_() % 2) text += " rotate <" + number(90 * size()) + ", 20, 0>";
@@ -42,6 +44,17 @@ class RandomMembers {
   Vec3 vector() { return {uniform_(random_), uniform_(random_), uniform_(random_)}; }
 
  private:
+  // Ellipsoids, cylinders, paraboloids, slabs, and their outsides; cones and hyperboloids, that no line
+  // is sure to meet in one interval.
+  std::string quadric() {
+    static const char* const kForms[] = {
+        "<1, 2, 3>, <0.2, 0, 0.1>, <0.1, 0, 0>, -0.4", "<1, 0, 1>, 0, 0, -0.2",
+        "<1, 0, 2>, 0, <0, -0.5, 0>, 0",               "<1, 0, 0>, 0, 0, -0.1",
+        "<-1, -2, -3>, 0, <0.1, 0, 0>, 0.4",           "<-1, 0, -1>, 0, 0, 0.2",
+        "<1, -0.5, 1>, 0, 0, 0",                       "<1, -1, 1>, 0, 0, -0.2"};
+    // Turned, so that no automatic box of povray's cuts them off (spec/geometry.md 14.2).
+    return std::string("quadric { ") + kForms[random_() % 8] + " rotate <30, 20, 40>";
+  }
   double size() { return 0.7 + 0.5 * uniform_(random_); }
   std::string place() {
     const Vec3 p = 0.6 * vector();

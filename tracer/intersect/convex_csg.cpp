@@ -82,8 +82,7 @@ bool Geometry::gather_convex_solids(uint32_t index, std::vector<uint32_t>& solid
   if (node.clips.count) return false;
   if (node.kind == NodeKind::shape) {
     solids.push_back(index);
-    return solids.size() <= kMostSweptSolids &&
-           (node.shape->is_convex_solid() || node.shape->is_half_space());
+    return solids.size() <= kMostSweptSolids && node.shape->can_be_swept(node.inverted);
   }
   if (node.kind == NodeKind::nothing || node.tree >= 0) return false;
   is_flat &= node.kind == NodeKind::intersection;

@@ -34,7 +34,8 @@ class SweptSolid {
   // Whether the sweep starts in it, `inverse` or not.
   bool holds_start() const {
     const Vec3 start = ray_.origin + kSweepStart * ray_.direction;
-    return node_.shape->inside(transform_ ? transform_->inverse_point(start) : start);
+    return node_.shape->inside(transform_ ? transform_->inverse_point(start) : start) !=
+           node_.shape->is_outside_of_convex();
   }
 
   LineHits crossings;

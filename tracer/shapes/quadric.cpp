@@ -10,12 +10,36 @@
 #include "tracer/math/transform.h"
 
 namespace durer {
+namespace {
+
+bool counts(double t) { return t > 1e-6 && t < kGreatestDepth; }
+
+}  // namespace
+
+double Quadric::second_order(const Vec3& d) const {
+  const Vec3 &s = q_.square, &m = q_.mixed;
+  return d.x * (s.x * d.x + m.x * d.y + m.y * d.z) + d.y * (s.y * d.y + m.z * d.z) +
+         d.z * s.z * d.z;
+}
+
+// Whether second_order() has this sign, or is about 0, for all directions: no principal minor of its
+// matrix has another.
+bool Quadric::has_form_of_sign(double sign) const {
+  const Vec3 s = sign * q_.square, half = 0.5 * sign * q_.mixed;
+  const double scale = std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)});
+  const double least = -1e-10 * scale;
+  const double xy = s.x * s.y - half.x * half.x, xz = s.x * s.z - half.y * half.y,
+               yz = s.y * s.z - half.z * half.z;
+  const double all = s.x * yz - half.x * (half.x * s.z - half.z * half.y) +
+                     half.y * (half.x * half.z - s.y * half.y);
+  return scale > 0 && s.x >= least && s.y >= least && s.z >= least && xy >= least * scale &&
+         xz >= least * scale && yz >= least * scale && all >= least * scale * scale;
+}
 
 int Quadric::depths(const ShapeRay& ray, double* t) const {
   const Vec3 &d = ray.direction, &o = ray.origin;
   const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
-  const double a = d.x * (s.x * d.x + m.x * d.y + m.y * d.z) + d.y * (s.y * d.y + m.z * d.z) +
-                   d.z * s.z * d.z;
+  const double a = second_order(d);
   const double b = 0.5 * (d.x * (s.x * o.x * 2 + m.x * o.y + m.y * o.z + l.x) +
                           d.y * (m.x * o.x + s.y * o.y * 2 + m.z * o.z + l.y) +
                           d.z * (m.y * o.x + m.z * o.y + s.z * o.z * 2 + l.z));
@@ -38,8 +62,24 @@ void Quadric::hits(const ShapeRay& ray, HitStack& out) const {
   double t[2];
   const int count = depths(ray, t);
   for (int i = 0; i < count; ++i) {
-    if (t[i] > 1e-6 && t[i] < kGreatestDepth) out.push(t[i]);
+    if (counts(t[i])) out.push(t[i]);
   }
+}
+
+void Quadric::line_hits(const ShapeRay& ray, LineHits& out) const {
+  double t[2];
+  const int count = depths(ray, t);
+  for (int i = 0; i < count; ++i) {
+    if (counts(t[i])) out.add(t[i]);
+  }
+  // A line along an open end may lie within for ever; so may one whose ends are out of reach.
+  const Vec3 &s = q_.square, &m = q_.mixed;
+  const double largest = std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z), std::abs(m.x),
+                                   std::abs(m.y), std::abs(m.z)});
+  const bool is_open = !(std::abs(second_order(ray.direction)) >
+                         1e-9 * largest * dot(ray.direction, ray.direction));
+  const bool is_within = count == 2 && out.count == 0 && (t[0] < 1) != (t[1] < 1);
+  if (is_open || is_within) out.count = 3;
 }
 
 bool Quadric::closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const {

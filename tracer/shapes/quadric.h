@@ -11,6 +11,7 @@ class Quadric final : public Shape {
 
   Bounds bounds() const override { return Bounds::everything(); }
   void hits(const ShapeRay& ray, HitStack& out) const override;
+  void line_hits(const ShapeRay& ray, LineHits& out) const override;
   bool closest(const ShapeRay& ray, HitStack& scratch, ShapeHit& hit) const override;
   bool inside(const Vec3& p) const override;
   // Both turn it over: the coefficients change sign and the object is marked.
@@ -18,6 +19,11 @@ class Quadric final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit&) const override;
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override;
   std::shared_ptr<const Shape> inverted() const override;
+  // Ellipsoids, cylinders, paraboloids: forms of one sign. They may have no end.
+  bool can_be_swept(bool is_marked) const override {
+    return is_marked ? has_form_of_sign(-1) : has_form_of_sign(1);
+  }
+  bool is_outside_of_convex() const override { return has_form_of_sign(-1); }
 
   // Whether the reference finds a box for it by itself, however large; bounded_by is then taken off a
   // top-level object.
@@ -27,6 +33,8 @@ class Quadric final : public Shape {
 
  private:
   int depths(const ShapeRay& ray, double* t) const;
+  double second_order(const Vec3& direction) const;
+  bool has_form_of_sign(double sign) const;
 
   QuadricNode q_;
 };

@@ -113,7 +113,8 @@ class Shape {
   virtual Vec3 normal(const Vec3& point, const ShapeHit& hit) const = 0;
   virtual Vec2 uv(const Vec3& point, const Vec3& world_point, const ShapeHit& hit) const;
 
-  // Of convex solids and half spaces: what hits() pushes, in its order.
+  // Of shapes that can be swept: what hits() pushes, in its order; more than two where the part of this
+  // line within the solid may not be told from them.
   virtual void line_hits(const ShapeRay&, LineHits&) const {}
 
   // The hit of least depth t with kLeastHitDepth <= t < ray.t_max.
@@ -130,6 +131,12 @@ class Shape {
   virtual bool is_convex_solid() const { return false; }
   // All points on one side of a plane.
   virtual bool is_half_space() const { return false; }
+  // Whether lines lie within it on one interval or, if it is_outside_of_convex(), outside of it; then
+  // line_hits() finds the ends. `is_marked`: it has been inverted.
+  virtual bool can_be_swept(bool /*is_marked*/) const {
+    return is_convex_solid() || is_half_space();
+  }
+  virtual bool is_outside_of_convex() const { return false; }
   // Looking for hits costs no more than a test of bounds().
   virtual bool is_quickly_missed() const { return false; }
   // No inside, not invertible (spec/geometry.md 13).
