@@ -14,7 +14,16 @@ namespace {
 
 bool counts(double t) { return t > 1e-6 && t < kGreatestDepth; }
 
+double largest_of(const Vec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 }  // namespace
+
+Quadric::Quadric(const QuadricNode& coefficients)
+    : q_(coefficients),
+      open_limit_(1e-9 * std::max(largest_of(q_.square), largest_of(q_.mixed))),
+      form_sign_(has_form_of_sign(1) ? 1 : has_form_of_sign(-1) ? -1 : 0) {}
 
 double Quadric::second_order(const Vec3& d) const {
   const Vec3 &s = q_.square, &m = q_.mixed;
@@ -26,7 +35,7 @@ double Quadric::second_order(const Vec3& d) const {
 // matrix has another.
 bool Quadric::has_form_of_sign(double sign) const {
   const Vec3 s = sign * q_.square, half = 0.5 * sign * q_.mixed;
-  const double scale = std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)});
+  const double scale = largest_of(s);
   const double least = -1e-10 * scale;
   const double xy = s.x * s.y - half.x * half.x, xz = s.x * s.z - half.y * half.y,
                yz = s.y * s.z - half.z * half.z;
@@ -73,11 +82,8 @@ void Quadric::line_hits(const ShapeRay& ray, LineHits& out) const {
     if (counts(t[i])) out.add(t[i]);
   }
   // A line along an open end may lie within for ever; so may one whose ends are out of reach.
-  const Vec3 &s = q_.square, &m = q_.mixed;
-  const double largest = std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z), std::abs(m.x),
-                                   std::abs(m.y), std::abs(m.z)});
   const bool is_open = !(std::abs(second_order(ray.direction)) >
-                         1e-9 * largest * dot(ray.direction, ray.direction));
+                         open_limit_ * dot(ray.direction, ray.direction));
   const bool is_within = count == 2 && out.count == 0 && (t[0] < 1) != (t[1] < 1);
   if (is_open || is_within) out.count = 3;
 }

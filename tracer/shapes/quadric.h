@@ -7,7 +7,7 @@ namespace durer {
 
 class Quadric final : public Shape {
  public:
-  explicit Quadric(const QuadricNode& coefficients) : q_(coefficients) {}
+  explicit Quadric(const QuadricNode& coefficients);
 
   Bounds bounds() const override { return Bounds::everything(); }
   void hits(const ShapeRay& ray, HitStack& out) const override;
@@ -21,9 +21,9 @@ class Quadric final : public Shape {
   std::shared_ptr<const Shape> inverted() const override;
   // Ellipsoids, cylinders, paraboloids: forms of one sign. They may have no end.
   bool can_be_swept(bool is_marked) const override {
-    return is_marked ? has_form_of_sign(-1) : has_form_of_sign(1);
+    return form_sign_ == (is_marked ? -1 : 1);
   }
-  bool is_outside_of_convex() const override { return has_form_of_sign(-1); }
+  bool is_outside_of_convex() const override { return form_sign_ < 0; }
 
   // Whether the reference finds a box for it by itself, however large; bounded_by is then taken off a
   // top-level object.
@@ -37,6 +37,8 @@ class Quadric final : public Shape {
   bool has_form_of_sign(double sign) const;
 
   QuadricNode q_;
+  double open_limit_;  // second_order() of unit directions along open ends is less, or less than 0
+  int form_sign_;      // of second_order() in all directions where it is not about 0; 0: of both
 };
 
 }  // namespace durer
