@@ -203,7 +203,10 @@ int solve_quadratic(const double* coefficient, double* roots) {
   return 2;
 }
 
-int solve_cubic(const double* c, double* roots) {
+namespace {
+
+// `only_first`: the others, which may be dear, are not looked for.
+int solve_cubic(const double* c, double* roots, bool only_first) {
   if (c[0] == 0) return solve_quadratic(c + 1, roots);
   double a1 = c[1], a2 = c[2], a3 = c[3];
   if (c[0] != 1) {
@@ -223,6 +226,7 @@ int solve_cubic(const double* c, double* roots) {
     const double theta = std::acos(r / turn) / 3;
     const double size = -2 * std::sqrt(q);
     roots[0] = size * std::cos(theta) - shift;
+    if (only_first) return 1;
     roots[1] = size * std::cos(theta + 2 * M_PI / 3) - shift;
     roots[2] = size * std::cos(theta + 4 * M_PI / 3) - shift;
     return 3;
@@ -231,6 +235,10 @@ int solve_cubic(const double* c, double* roots) {
   roots[0] = r < 0 ? (s + q / s) - shift : -(s + q / s) - shift;
   return 1;
 }
+
+}  // namespace
+
+int solve_cubic(const double* c, double* roots) { return solve_cubic(c, roots, false); }
 
 int solve_quartic(const double* c, double* roots) {
   double c1 = c[1], c2 = c[2], c3 = c[3], c4 = c[4];
@@ -247,7 +255,7 @@ int solve_quartic(const double* c, double* roots) {
   const double r = -0.01171875 * c12 * c12 + 0.0625 * c12 * c2 - 0.25 * c1 * c3 + c4;
   const double cubic[4] = {1, -0.5 * p, -r, 0.5 * r * p - 0.125 * q * q};
   double z_roots[3];
-  if (solve_cubic(cubic, z_roots) == 0) return 0;
+  if (solve_cubic(cubic, z_roots, true) == 0) return 0;
   const double z = z_roots[0];
   // Two quadratics.
   double d1 = 2 * z - p, d2;
