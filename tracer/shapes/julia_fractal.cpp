@@ -89,8 +89,8 @@ class JuliaFractal final : public Shape {
     } else {
       Vec4 q(1, 0, 0, 0);
       for (int k = 0; k < iterations_; ++k) {
-        q = k == 0 ? map_.factor(z, 0) : hypercomplex_product(q, map_.factor(z, k));
-        z = map_(z);
+        const Vec4 factor = map_.factor_of_step(z, k);
+        q = k == 0 ? factor : hypercomplex_product(q, factor);
       }
       return placed_.normal(gradient(q, z));
     }
@@ -202,8 +202,8 @@ class JuliaFractal final : public Shape {
           if (size2 > shortest && size2 < kLongestStride * shortest) distance = size2 / steepness;
           return false;
         }
-        q = i == 0 ? map_.factor(z, 0) : hypercomplex_product(q, map_.factor(z, i));
-        z = map_(z);
+        const Vec4 factor = map_.factor_of_step(z, i);
+        q = i == 0 ? factor : hypercomplex_product(q, factor);
         remember(orbit, i + 1, z);
       }
       return true;

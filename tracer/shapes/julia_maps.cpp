@@ -19,6 +19,19 @@ Complex times_i(const Complex& z) {
   return {-z.imag(), z.real()};
 }
 
+// The library's functions of complex numbers look for infinities first, which no orbit reaches.
+Complex sine(const Complex& z) {
+  return {std::sin(z.real()) * std::cosh(z.imag()), std::cos(z.real()) * std::sinh(z.imag())};
+}
+Complex cosine(const Complex& z) {
+  return {std::cos(z.real()) * std::cosh(z.imag()), -(std::sin(z.real()) * std::sinh(z.imag()))};
+}
+Complex hyperbolic_sine(const Complex& z) {
+  return {std::cos(z.imag()) * std::sinh(z.real()), std::sin(z.imag()) * std::cosh(z.real())};
+}
+Complex hyperbolic_cosine(const Complex& z) {
+  return {std::cos(z.imag()) * std::cosh(z.real()), std::sin(z.imag()) * std::sinh(z.real())};
+}
 Complex tangent(const Complex& z) {
   const double x = 2 * z.real(), y = 2 * z.imag();
   return Complex(std::sin(x), std::sinh(y)) / (std::cos(x) + std::cosh(y));
@@ -59,15 +72,15 @@ ComplexFunction complex_function(JuliaFractalNode::Function function) {
     case F::log:
       return [](const Complex& z, const Vec2&) { return logarithm(z); };
     case F::sin:
-      return [](const Complex& z, const Vec2&) { return std::sin(z); };
+      return [](const Complex& z, const Vec2&) { return sine(z); };
     case F::cos:
-      return [](const Complex& z, const Vec2&) { return std::cos(z); };
+      return [](const Complex& z, const Vec2&) { return cosine(z); };
     case F::tan:
       return [](const Complex& z, const Vec2&) { return tangent(z); };
     case F::sinh:
-      return [](const Complex& z, const Vec2&) { return std::sinh(z); };
+      return [](const Complex& z, const Vec2&) { return hyperbolic_sine(z); };
     case F::cosh:
-      return [](const Complex& z, const Vec2&) { return std::cosh(z); };
+      return [](const Complex& z, const Vec2&) { return hyperbolic_cosine(z); };
     case F::tanh:
       return [](const Complex& z, const Vec2&) { return hyperbolic_tangent(z); };
     case F::asin:

@@ -61,8 +61,12 @@ struct HypercomplexSquare {
                 2 * (z.x * z.z - z.y * z.w), 2 * (z.x * z.w + z.y * z.z)) +
            c;
   }
-  // The factor by which step k changes the derivative, and that of m steps in all.
-  Vec4 factor(const Vec4& z, int) const { return z; }
+  // Takes the step k; returns the factor by which that changes the derivative. scale(): of m steps.
+  Vec4 factor_of_step(Vec4& z, int) const {
+    const Vec4 before = z;
+    z = (*this)(z);
+    return before;
+  }
   static double scale(int m) { return m == 0 ? 2 : std::ldexp(1.0, m); }
 };
 
@@ -88,10 +92,10 @@ struct HypercomplexReciprocal {
     return on_both_planes(z, [](const std::complex<double>& w) { return 1.0 / w; });
   }
   Vec4 operator()(const Vec4& z) const { return reciprocal(z) + c; }
-  Vec4 factor(const Vec4& z, int k) const {
-    if (k == 0) return z;
-    const Vec4 r = reciprocal(z);
-    return -hypercomplex_product(r, r);
+  Vec4 factor_of_step(Vec4& z, int k) const {
+    const Vec4 r = reciprocal(z), factor = k == 0 ? z : -hypercomplex_product(r, r);
+    z = r + c;
+    return factor;
   }
   static double scale(int) { return 1; }
 };
@@ -111,6 +115,11 @@ struct HypercomplexFunction {
   }
   Vec4 operator()(const Vec4& z) const { return image(z) + c; }
   Vec4 factor(const Vec4& z, int k) const { return k == 0 ? z : image(z); }
+  Vec4 factor_of_step(Vec4& z, int k) const {
+    const Vec4 f = image(z), factor = k == 0 ? z : f;
+    z = f + c;
+    return factor;
+  }
   static double scale(int) { return 1; }
 };
 
