@@ -1,6 +1,7 @@
 // CSG of few convex solids and half spaces, the most usual kind: one sweep along the ray over where it
 // crosses their surfaces, without asking for points inside (performance.md 4). In doubtful cases, where
 // surfaces coincide or a crossing is missing, the general way decides (geometry.cpp).
+#include <bit>
 #include <cmath>
 
 #include "tracer/intersect/convex_sweep.h"
@@ -34,58 +35,72 @@ class Crossings {
   int count_ = 0;
 };
 
-// What is known of a part of a CSG where the ray crosses the surface of one of its solids.
-struct PartState {
-  bool contains = false;    // the place, but for the side of the crossed surface
-  bool is_crossed = false;  // the crossed solid is a part of it
-  bool shows = false;       // then: the crossing is on its surface
-};
+bool contains(const SweepPlan& plan, const SweptPart& part, uint32_t within);
 
-// `solid` is the bit of the next solid in the order of gather_convex_solids().
-PartState part_state(const Geometry& geometry, const GeometryNode& node, uint32_t crossed,
-                     uint32_t within, uint32_t& solid) {
-  if (node.kind == NodeKind::shape) {
-    const uint32_t bit = solid;
-    solid <<= 1;
-    return {(within & bit) != 0, bit == crossed, bit == crossed};
+bool all_others_contain(const SweepPlan& plan, const SweptPart& part, int32_t except,
+                        uint32_t solids, uint32_t within) {
+  if ((within & solids) != solids) return false;
+  for (int32_t i = part.first_child; i >= 0; i = plan.parts[i].next) {
+    if (i != except && !contains(plan, plan.parts[i], within)) return false;
   }
-  const uint32_t* child = geometry.lists.data() + node.children.first;
-  PartState whole;
-  bool all = true, any = false;
-  for (uint32_t i = 0; i < node.children.count; ++i) {
-    const PartState part = part_state(geometry, geometry.nodes[child[i]], crossed, within, solid);
-    if (part.is_crossed) {
-      whole.is_crossed = true;
-      whole.shows = part.shows;
-    } else {
-      all &= part.contains;
-      any |= part.contains;
-    }
+  return true;
+}
+
+bool any_other_contains(const SweepPlan& plan, const SweptPart& part, int32_t except,
+                        uint32_t solids, uint32_t within) {
+  if (within & solids) return true;
+  for (int32_t i = part.first_child; i >= 0; i = plan.parts[i].next) {
+    if (i != except && contains(plan, plan.parts[i], within)) return true;
   }
-  if (node.kind == NodeKind::intersection) {
-    whole.shows &= all;
-    whole.contains = all;
-  } else {
+  return false;
+}
+
+// Whether a part contains a place that lies within the solids of these bits.
+bool contains(const SweepPlan& plan, const SweptPart& part, uint32_t within) {
+  return part.kind == NodeKind::intersection
+             ? all_others_contain(plan, part, -1, part.solids, within)
+             : any_other_contains(plan, part, -1, part.solids, within);
+}
+
+// Whether the surface of a solid (a bit), crossed at a place within some solids, is one of the whole.
+bool is_on_surface(const SweepPlan& plan, uint32_t crossed, uint32_t within) {
+  int32_t at = plan.part_of[std::countr_zero(crossed)], from = -1;
+  for (uint32_t itself = crossed; at >= 0; itself = 0) {
+    const SweptPart& part = plan.parts[at];
+    const uint32_t others = part.solids & ~itself;
     // Surfaces within a union are seen, within a merge they are not.
-    if (node.kind == NodeKind::merge) whole.shows &= !any;
-    whole.contains = any;
+    if (part.kind == NodeKind::intersection) {
+      if (!all_others_contain(plan, part, from, others, within)) return false;
+    } else if (part.kind == NodeKind::merge) {
+      if (any_other_contains(plan, part, from, others, within)) return false;
+    }
+    from = at;
+    at = part.parent;
   }
-  return whole;
+  return true;
 }
 
 }  // namespace
 
 // Appends the solids of a CSG in the order of its tree; false if it has others, or too many.
-bool Geometry::gather_convex_solids(uint32_t index, std::vector<uint32_t>& solids,
-                                    bool& is_flat) const {
+bool Geometry::gather_convex_solids(uint32_t index, int32_t parent, std::vector<uint32_t>& solids,
+                                    SweepPlan& plan) const {
   const GeometryNode& node = nodes[index];
   if (node.clips.count) return false;
   if (node.kind == NodeKind::shape) {
+    if (solids.size() == kMostSweptSolids || !node.shape->can_be_swept(node.inverted)) return false;
+    plan.parts[parent].solids |= 1u << solids.size();
+    plan.part_of.push_back(parent);
     solids.push_back(index);
-    return solids.size() <= kMostSweptSolids && node.shape->can_be_swept(node.inverted);
+    return true;
   }
   if (node.kind == NodeKind::nothing || node.tree >= 0) return false;
-  is_flat &= node.kind == NodeKind::intersection;
+  const int32_t part = static_cast<int32_t>(plan.parts.size());
+  plan.parts.push_back({node.kind, 0, parent, -1, -1});
+  if (parent >= 0) {
+    plan.parts[part].next = plan.parts[parent].first_child;
+    plan.parts[parent].first_child = part;
+  }
   for (uint32_t i = 0; i < node.children.count; ++i) {
     const uint32_t child = lists[node.children.first + i];
     if (nodes[child].bounds.count) return false;
@@ -93,20 +108,15 @@ bool Geometry::gather_convex_solids(uint32_t index, std::vector<uint32_t>& solid
     if (node.kind != NodeKind::intersection && (nodes[child].hidden || !nodes[child].has_object)) {
       return false;
     }
-    if (!gather_convex_solids(child, solids, is_flat)) return false;
+    if (!gather_convex_solids(child, part, solids, plan)) return false;
   }
   return true;
-}
-
-// Whether a crossing of one solid's surface is one of the node's, at a place within some solids.
-bool Geometry::is_on_surface(const GeometryNode& node, uint32_t crossed, uint32_t within) const {
-  uint32_t first = 1;
-  return part_state(*this, node, crossed, within, first).shows;
 }
 
 Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const GeometryRay& ray,
                                               double t_max, HitStack& stack, ShapeHit& hit) const {
   const uint32_t* child = lists.data() + node.swept.first;
+  const SweepPlan& plan = sweep_plans[child[node.swept.count]];
   Crossings crossings;
   uint32_t outside = 0;  // members whose solids the sweep is not in
   for (uint32_t i = 0; i < node.swept.count; ++i) {
@@ -142,7 +152,7 @@ Geometry::Sweep Geometry::sweep_convex_solids(const GeometryNode& node, const Ge
   for (const Crossing& crossing : crossings) {
     if (before && are_near(*before, crossing)) return Sweep::doubtful;
     before = &crossing;
-    if (crossing.t >= kLeastHitDepth && is_on_surface(node, crossing.member, ~outside)) {
+    if (crossing.t >= kLeastHitDepth && is_on_surface(plan, crossing.member, ~outside)) {
       if (crossing.t >= t_max) return Sweep::missed;
       const Crossing* next = &crossing + 1;
       if (next != crossings.end() && are_near(crossing, *next)) return Sweep::doubtful;

@@ -391,17 +391,23 @@ void Geometry::finish_node(uint32_t index) {
                  node.clips.count == 0 && node.bounds.count == 0;
   node.is_half_space = node.kind == NodeKind::shape && node.shape->is_half_space();
   std::vector<uint32_t> solids;
-  bool is_flat = true;
+  SweepPlan plan;
   if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&
-      gather_convex_solids(index, solids, is_flat)) {
+      gather_convex_solids(index, -1, solids, plan)) {
     node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
-    node.is_flat = is_flat;
+    node.is_flat = std::all_of(plan.parts.begin(), plan.parts.end(), [](const SweptPart& part) {
+      return part.kind == NodeKind::intersection;
+    });
     // What is cut out comes last: most rays miss what it is cut out of.
-    if (is_flat) {
+    if (node.is_flat) {
       std::stable_partition(solids.begin(), solids.end(),
                             [&](uint32_t solid) { return !nodes[solid].inverted; });
     }
     lists.insert(lists.end(), solids.begin(), solids.end());
+    if (!node.is_flat) {
+      lists.push_back(static_cast<uint32_t>(sweep_plans.size()));
+      sweep_plans.push_back(std::move(plan));
+    }
   }
   // A sphere or box in place is met or missed as fast as its bounds; so is an intersection that
   // starts with one.

@@ -44,7 +44,9 @@ struct GeometryNode {
   uint32_t object = 0;          // the caller's number
   const Shape* shape = nullptr;
   NodeRange children, clips, bounds;
-  NodeRange swept;              // the convex solids of a CSG for sweep_convex_solids(), if it is one
+  // The convex solids of a CSG for sweep_convex_solids(), if it is one; behind them, where it is not
+  // flat, the number of its plan.
+  NodeRange swept;
   int32_t tree = -1;            // of many children: Geometry::trees
   Bounds reach;                 // the surface and a hair more: outside of it nothing happens
 };
@@ -54,6 +56,17 @@ struct ChildTree {
   Bvh bvh;
   std::vector<uint32_t> bounded;  // child positions in the order of bvh's leaves
   std::vector<uint32_t> others;   // child positions that are always asked
+};
+
+// How the convex solids of a CSG go together. Solids are bits, in the order of the tree.
+struct SweptPart {
+  NodeKind kind;
+  uint32_t solids;                     // its own, not its children's
+  int32_t parent, first_child, next;  // parts, or -1
+};
+struct SweepPlan {
+  std::vector<SweptPart> parts;  // the whole first
+  std::vector<int32_t> part_of;  // the part of each solid
 };
 
 struct GeometryRay : BvhRay {
@@ -89,6 +102,7 @@ class Geometry {
   std::vector<Transform> transforms;
   std::deque<std::shared_ptr<const Shape>> shapes;  // owned; in pieces, to fill gaps
   std::vector<std::unique_ptr<ChildTree>> trees;
+  std::vector<SweepPlan> sweep_plans;
 
   // The nearest hit of one node with kLeastHitDepth <= t < t_max, by the rules for one object
   // (spec/geometry.md 2.1: of equal depths the last pushed wins). No box test, no flags.
@@ -113,8 +127,8 @@ class Geometry {
                         HitStack& stack, ShapeHit& hit) const;
   // convex_csg.cpp
   enum class Sweep : uint8_t { missed, met, doubtful };
-  bool gather_convex_solids(uint32_t node, std::vector<uint32_t>& solids, bool& is_flat) const;
-  bool is_on_surface(const GeometryNode& node, uint32_t crossed, uint32_t within) const;
+  bool gather_convex_solids(uint32_t node, int32_t parent, std::vector<uint32_t>& solids,
+                            SweepPlan& plan) const;
   // convex_intersection.cpp, where the node is flat
   Sweep sweep_convex_intersection(const GeometryNode& node, const GeometryRay& ray, double t_max,
                                   HitStack& stack, ShapeHit& hit) const;
