@@ -102,7 +102,7 @@ double Fractal<kMap>::base_value(const Vec3& p, const PatternContext&) const {
       for (int left = (f_.iterations - k) % (k - marked); left > 0; --left) z = step(z, c);
       break;
     }
-    if (k >= 2 * marked) {
+    if (k / 2 >= marked) {
       mark = z;
       marked = k;
     }
