@@ -1,4 +1,4 @@
-// TIFF and OpenEXR, read directly, against OpenImageIO; broken files.
+// TIFF and OpenEXR, read directly, against OpenImageIO; palettes of Targa, BMP and GIF; broken files.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -18,6 +18,11 @@ std::vector<char> content_of(const std::string& name) {
   std::ifstream stream(kFolder + name, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
+
+struct Source {
+  RasterFile (*read)(const std::string&);
+  const char* name;
+};
 
 class TemporaryFile {
  public:
@@ -72,6 +77,38 @@ TEST(ImageFiles, PalettesOfTiffsKeepIndicesAndWords) {
             (std::array<uint16_t, 4>{0, 194 * 257, 0, 65535}));
 }
 
+TEST(ImageFiles, TargaAndBmpKeepIndices) {
+  // What make_mapped.py writes: the index is (x + 2 y) mod 13; runs begin with two of the first.
+  for (const auto& [read, name] :
+       {Source{read_tga, "mapped.tga"}, {read_tga, "mapped_runs.tga"}, {read_bmp, "nibbles.bmp"},
+        {read_bmp, "short_entries.bmp"}, {read_bmp, "runs.bmp"}}) {
+    const RasterFile file = read(kFolder + name);
+    ASSERT_TRUE(file.is_palette()) << name;
+    ASSERT_EQ(file.bytes.size(), 18u * 17u) << name;
+    const bool has_runs = std::string(name).find("runs") != std::string::npos;
+    for (size_t i = 0; i < file.bytes.size(); ++i) {
+      const size_t x = has_runs && i % 18 == 1 ? 0 : i % 18;
+      ASSERT_EQ(file.bytes[i], (x + 2 * (i / 18)) % 13) << name << " pixel " << i;
+    }
+  }
+}
+
+TEST(ImageFiles, WordsOfTargasAreTimesEightAndTheirTopBitIsAlpha) {
+  const RasterFile file = read_tga(kFolder + "words.tga");
+  ASSERT_EQ(file.channels, 4);
+  for (size_t i = 0; i < 18; ++i) {
+    EXPECT_EQ(file.bytes[4 * i] % 8, 0);
+    EXPECT_EQ(file.bytes[4 * i + 3], i % 13 % 3 > 0 ? 255 : 0) << i;
+  }
+  EXPECT_EQ(read_tga(kFolder + "words15.tga").channels, 3);
+}
+
+TEST(ImageFiles, RowsOfInterlacedGifsStayInTheOrderOfTheFile) {
+  const RasterFile file = read_gif(kFolder + "interlaced.gif");
+  const size_t order[] = {0, 8, 16, 4, 12, 2, 6, 10, 14, 1, 3, 5, 7, 9, 11, 13, 15};
+  for (size_t y = 0; y < 17; ++y) EXPECT_EQ(file.bytes[18 * y], 2 * order[y] % 13) << y;
+}
+
 TEST(ImageFiles, HalfFloatsOfExrsAreAsOpenImageIoReadsThem) {
   for (const char* name : {"none.exr", "zips.exr", "floats.exr", "grey.exr", "grey_alpha.exr",
                            "negative.exr", "window.exr"}) {
@@ -88,6 +125,18 @@ TEST(ImageFiles, CutOffFilesAreErrors) {
       const TemporaryFile file({whole.begin(), whole.begin() + static_cast<long>(length)});
       EXPECT_THROW(is_exr ? read_exr(file.path()) : read_tiff(file.path()), std::runtime_error)
           << name << " cut at " << length;
+    }
+  }
+}
+
+TEST(ImageFiles, CutOffTargasAndBmpsAreErrors) {
+  for (const auto& [read, name] :
+       {Source{read_tga, "mapped.tga"}, {read_tga, "mapped_runs.tga"}, {read_tga, "rgb.tga"},
+        {read_bmp, "nibbles.bmp"}, {read_bmp, "runs.bmp"}, {read_bmp, "rgb.bmp"}}) {
+    const std::vector<char> whole = content_of(name);
+    for (size_t length = 0; length + 28 < whole.size(); ++length) {
+      const TemporaryFile file({whole.begin(), whole.begin() + static_cast<long>(length)});
+      EXPECT_THROW(read(file.path()), std::runtime_error) << name << " cut at " << length;
     }
   }
 }

@@ -1,5 +1,7 @@
 #include <gif_lib.h>
 
+#include <array>
+#include <cstring>
 #include <stdexcept>
 
 #include "tracer/image/raster_file.h"
@@ -18,6 +20,21 @@ struct Gif {
 
 const Gif& giflib() { return loaded<Gif>(); }
 
+// Puts the rows of an interlaced image back into the order that the file has them in: POV-Ray shows
+// them so.
+std::vector<uint8_t> rows_as_stored(const std::vector<uint8_t>& rows, int width, int height) {
+  struct Pass {
+    int first, step;
+  };
+  constexpr std::array<Pass, 4> kPasses{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
+  std::vector<uint8_t> stored(rows.size());
+  uint8_t* to = stored.data();
+  for (const Pass& pass : kPasses)
+    for (int y = pass.first; y < height; y += pass.step, to += width)
+      std::memcpy(to, rows.data() + static_cast<size_t>(y) * width, width);
+  return stored;
+}
+
 }  // namespace
 
 RasterFile read_gif(const std::string& path) {
@@ -34,6 +51,8 @@ RasterFile read_gif(const std::string& path) {
     file.height = image->ImageDesc.Height;
     file.bytes.assign(image->RasterBits,
                       image->RasterBits + static_cast<size_t>(file.width) * file.height);
+    if (image->ImageDesc.Interlace)
+      file.bytes = rows_as_stored(file.bytes, file.width, file.height);
     GraphicsControlBlock control{};
     const bool has_control = giflib().DGifSavedExtensionToGCB(gif, 0, &control) == GIF_OK;
     for (int i = 0; i < colors->ColorCount; ++i) {

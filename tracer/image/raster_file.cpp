@@ -71,8 +71,8 @@ RasterFile read_raster(const std::string& path, ImageFileType type) {
     case ImageFileType::ppm:
     case ImageFileType::pgm: file = read_pnm(path, type); break;
     case ImageFileType::jpeg: file = read_jpeg(path); break;
-    case ImageFileType::tga:
-    case ImageFileType::bmp: file = read_tga_or_bmp(path); break;
+    case ImageFileType::tga: file = read_tga(path); break;
+    case ImageFileType::bmp: file = read_bmp(path); break;
     case ImageFileType::hdr: file = read_hdr(path); break;
     case ImageFileType::gif: file = read_gif(path); break;
     case ImageFileType::tiff: file = read_tiff(path); break;

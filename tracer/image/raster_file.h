@@ -57,7 +57,9 @@ RasterFile read_png(const std::string& path);
 // `ppm` means colours (P3, P6), `pgm` greys (P2, P5).
 RasterFile read_pnm(const std::string& path, ImageFileType type);
 RasterFile read_jpeg(const std::string& path);
-RasterFile read_tga_or_bmp(const std::string& path);
+RasterFile read_tga(const std::string& path);
+RasterFile read_bmp(const std::string& path);
+RasterFile read_with_stb(const std::string& path);
 RasterFile read_hdr(const std::string& path);
 RasterFile read_gif(const std::string& path);
 // A word-valued picture in the two halves of a gif's lines (spec/geometry.md 12.14).

@@ -1,4 +1,5 @@
-// Targa, BMP and Radiance files through stb_image, which needs no time to load.
+// Radiance files, and kinds of BMP that POV-Ray does not know, through stb_image, which needs no time
+// to load.
 #include <stb/stb_image.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ void centre_steps(std::vector<float>& rgb) {
 
 }  // namespace
 
-RasterFile read_tga_or_bmp(const std::string& path) {
+RasterFile read_with_stb(const std::string& path) {
   RasterFile file;
   const Pixels<stbi_uc> pixels(
       stbi_load(path.c_str(), &file.width, &file.height, &file.channels, 0), &stbi_image_free);
