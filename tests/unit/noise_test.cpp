@@ -14,6 +14,15 @@ TEST(Noise, AgreesWithPovray) {
   EXPECT_NEAR(noise({1.1, -2.2, 0.3}, 2), 0.615205057795, 1e-11);
 }
 
+// Where POV-Ray's cells leave the range of its integers.
+TEST(Noise, AgreesWithPovrayFarAway) {
+  EXPECT_NEAR(noise({2147483647.5, 3, 4}, 2), 0.392234902911, 1e-11);
+  EXPECT_NEAR(noise({2147483647.5, 3, 4}, 1), 0.248295, 1e-11);
+  EXPECT_EQ(noise({8098.1e8, 2.3e10, 1.7e9}, 2), 0);
+  for (const Vec3& p : {Vec3(3e9, 0.3, 0.2), Vec3(-3e9, 0.3, 0.2), Vec3(5e12, 1e13, -7e12)})
+    EXPECT_EQ(noise(p, 2), 1) << p.x;
+}
+
 // vturbulence(2,.5,6,<1.5,2.5,3.5>) (spec/language.md 8).
 TEST(Noise, VectorTurbulenceAgreesWithPovray) {
   const Vec3 t = vector_turbulence({1.5, 2.5, 3.5}, 6, 0.5, 2);
