@@ -207,8 +207,20 @@ void Parser::State::do_for() {
     }
     consume();
   }
+  // The variable is there, and 0, while its start is read.
+  Entry* entry = symbols.find(variable);
+  if (!entry || entry->scope != symbols.innermost()) {
+    entry = &symbols.add(variable, symbols.innermost());
+  }
+  const auto counter = [&]() -> Value& {
+    Value* const value = entry->alias ? writable(*entry->alias) : &entry->value;
+    if (!value) error("the variable that " + quoted(variable) + " stands for is gone");
+    return *value;
+  };
+  counter() = Value(0.0);
   accept_comma();
-  const double start = parse_float();
+  const double first = parse_float();
+  counter() = Value(first);
   accept_comma();
   const double end = parse_float();
   double step = 1;
@@ -217,14 +229,6 @@ void Parser::State::do_for() {
   expect(Symbol::paren_close);
   if (std::fabs(step) < kEpsilon) error("the step of a #for loop must not be zero");
 
-  Entry* entry = symbols.find(variable);
-  if (!entry || entry->scope != symbols.innermost()) {
-    entry = &symbols.add(variable, symbols.innermost());
-  }
-  Value* counter = entry->alias ? writable(*entry->alias) : &entry->value;
-  if (!counter) error("the variable that " + quoted(variable) + " stands for is gone");
-  *counter = Value(start);
-
   const uint32_t body = last_offset + 1;  // behind the parenthesis
   open_conditional(Kind::for_loop, directive);
   Conditional& loop = conditionals.back();
@@ -232,6 +236,7 @@ void Parser::State::do_for() {
   loop.variable = variable;
   loop.end = end;
   loop.step = step;
+  const double start = counter().number();
   const bool runs = (step > 0 && start < end + kEpsilon) || (step < 0 && start > end - kEpsilon);
   if (runs) {
     count_turn();

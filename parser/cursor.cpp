@@ -162,6 +162,10 @@ bool Parser::State::fetch_identifier() {
     look.entry = nullptr;
     return false;
   }
+  if (!look.value->is_set()) {
+    look.value = nullptr;
+    return false;
+  }
   if (entry->deprecation && !entry->deprecation->reported) {
     if (entry->deprecation->once) entry->deprecation->reported = true;
     message(Severity::warning, entry->deprecation->text);

@@ -103,7 +103,7 @@ void Parser::State::do_declare(bool local) {
     if (accept(Keyword::deprecated)) {
       deprecation = std::make_unique<Deprecation>();
       deprecation->once = accept(Keyword::once);
-      if (peek().kind == TokenKind::string) {
+      if (starts_string()) {
         const FlagScope elements(resolve_elements, true);
         deprecation->text = to_bytes(parse_string());
       }
@@ -120,21 +120,17 @@ void Parser::State::do_declare(bool local) {
     Entry* entry = look.entry;
     const bool array = look.value && look.value->kind() == ValueKind::array;
     consume();
-    if (entry) {
-      if (entry->alias) {
-        target = *entry->alias;
-      } else {
-        target.entry = entry;
-      }
-    }
     if (raw_peek().is(Symbol::bracket_open)) {
       if (!entry) error_undeclared(name);
       if (!array) error(quoted(name) + " is not an array");
+      target = entry->alias ? *entry->alias : Reference{entry, 0, {}};
       const FlagScope elements(resolve_elements, true);
       parse_target_element(target);
       is_element = true;
       // #local leaves the elements of arrays of outer scopes alone that are set already.
       discarded = local && !entry->alias && entry->scope != scope && readable(target)->is_set();
+    } else {
+      target = begin_declaration(name, local, scope);
     }
     if (!peek().is(Symbol::equal)) error_expected("'='");
     consume();
@@ -142,6 +138,9 @@ void Parser::State::do_declare(bool local) {
       deprecation->text = quoted(name) + " is declared deprecated";
     }
   }
+  const bool created = !is_element && !readable(target)->is_set();
+  // Reading the value may end the scope that the variable is in.
+  SymbolTable::hold(*target.entry);
   RightSide right;
   {
     const FlagScope off(directives_live, false);
@@ -168,9 +167,12 @@ void Parser::State::do_declare(bool local) {
   }
   if (is_element) {
     if (!discarded) store(target, std::move(right.value));
-  } else {
-    assign(name, std::move(right.value), local, scope, std::move(deprecation));
+  } else if (Value* const slot = writable(target)) {
+    // Not by store(): through a parameter even an element of an array may change its kind.
+    *slot = std::move(right.value);
+    if (created) target.entry->deprecation = std::move(deprecation);
   }
+  symbols.drop(*target.entry);
   ++declarations;
   const FlagScope off(directives_live, false);
   check_semicolon(numeric);
@@ -203,30 +205,25 @@ void Parser::State::check_semicolon(bool numeric) {
   }
 }
 
-void Parser::State::assign(Name name, Value value, bool local, uint32_t scope,
-                           std::unique_ptr<Deprecation> deprecation) {
-  // What the name means now: reading the value may have changed it.
-  Entry* entry = symbols.find(name);
-  if (entry && entry->alias) {
-    // Not by store(): through a parameter even an element of an array may change its kind.
-    Value* slot = writable(*entry->alias);
-    if (!slot) error("the variable that " + quoted(name) + " stands for is gone");
-    *slot = std::move(value);
-    return;
+// The variable that is given a value. What #declare creates is there at once, without one:
+// #ifdef finds it, and it hides an outer variable of its name, so that `#local A = A + 1` cannot read
+// that one.
+Reference Parser::State::begin_declaration(Name name, bool local, uint32_t scope) {
+  Entry* const entry = symbols.find(name);
+  const bool reachable = entry && (!local || entry->scope == scope);
+  if (reachable && entry->alias) {
+    if (!readable(*entry->alias)) error("the variable that " + quoted(name) + " stands for is gone");
+    return *entry->alias;
   }
-  if (entry && entry->value.kind() == ValueKind::function) {
-    error("function " + quoted(name) + " is declared already", "#undef it first");
-  }
-  if (entry && (!local || entry->scope == scope)) {
+  if (entry && !entry->alias && entry->value.is_set()) {
     const ValueKind kind = entry->value.kind();
+    if (kind == ValueKind::function) {
+      error("function " + quoted(name) + " is declared already", "#undef it first");
+    }
     if (kind == ValueKind::file) error(quoted(name) + " is an open file");
-    if (kind == ValueKind::macro) error(quoted(name) + " is a macro");
-    entry->value = std::move(value);
-    return;
+    if (reachable) return {entry, 0, {}};
   }
-  Entry& fresh = symbols.add(name, scope);
-  fresh.value = std::move(value);
-  fresh.deprecation = std::move(deprecation);
+  return {&symbols.add(name, scope), 0, {}};
 }
 
 void Parser::State::do_undef() {
@@ -234,8 +231,8 @@ void Parser::State::do_undef() {
   const FlagScope plain(resolve_elements, false);
   const Token& token = peek();
   if (token.kind != TokenKind::identifier) error_expected("an identifier to undefine");
-  if (!look.entry) {
-    message(Severity::warning, "#undef of " + quoted(token.name) + ", which is not declared");
+  if (!look.value) {
+    message(Severity::warning, "#undef of " + quoted(token.name) + ", which has no value");
     consume();
   } else {
     Entry& entry = *look.entry;
@@ -244,8 +241,10 @@ void Parser::State::do_undef() {
     if (array && raw_peek().is(Symbol::bracket_open)) {
       const FlagScope elements(resolve_elements, true);
       Reference target = entry.alias ? *entry.alias : Reference{&entry, 0, {}};
-      parse_target_element(target);
-      if (Value* element = writable(target)) *element = Value();
+      parse_subscripts(target);
+      Value* const element = writable(target);
+      if (!element->is_set()) error("this array element was never set");
+      *element = Value();
     } else {
       symbols.remove(entry);
     }

@@ -173,11 +173,6 @@ class FunctionBody {
           std::max(state_.function_levels, state_.nesting.levels(function->compiled));
       return call(function->compiled);
     }
-    if (value && value->kind() == ValueKind::spline) {
-      const std::shared_ptr<const Spline> spline = value->handle<Spline>();
-      state_.consume();
-      return call(make_spline_function(spline));
-    }
     if (value) state_.error_expected("an operand of the function (a float or a function)");
     // Loop names hide parameters, the latest first.
     for (size_t i = loops_.size(); i-- > 0;) {

@@ -58,7 +58,7 @@ void Parser::State::do_macro() {
   const FlagScope plain(resolve_elements, false);
   const Token name = peek();
   if (name.kind != TokenKind::identifier) error_expected("a name for the macro");
-  if (look.entry && look.value->kind() != ValueKind::macro) {
+  if (look.value && look.value->kind() != ValueKind::macro) {
     error(quoted(name.name) + " is already declared as a " +
           kind_name(look.value->kind()) + ", a macro cannot take its name");
   }
@@ -79,7 +79,7 @@ void Parser::State::do_macro() {
   macro->file = frames.back().file->shared_from_this();
   macro->body = last_offset + 1;
   Entry* entry = symbols.find(name.name);
-  if (!entry) entry = &symbols.add(name.name, 0);
+  if (!entry || !entry->value.is_set()) entry = &symbols.add(name.name, 0);
   entry->value = Value(ValueKind::macro, std::shared_ptr<const Macro>(std::move(macro)));
   skip(1, false);
 }

@@ -72,7 +72,7 @@ std::string Parser::State::found() {
     case TokenKind::keyword: return quoted(token.name);
     case TokenKind::identifier: {
       const std::string name = quoted(token.name);
-      if (!look.value) return name + ", which is not declared";
+      if (!look.value) return name + (look.entry ? ", which has no value yet" : ", which is not declared");
       return std::string(kind_name(look.value->kind())) + " " + name;
     }
     case TokenKind::number: {
@@ -167,6 +167,10 @@ void Parser::State::error_expected(std::string_view what) {
 
 void Parser::State::error_undeclared(Name name) {
   if (is_later_syntax(names.text(name))) error(later_syntax(names.text(name)));
+  if (symbols.find(name)) {
+    error(quoted(name) + " has no value yet",
+          name == declaring ? "it is what is declared here, and hides an outer variable of this name" : "");
+  }
   error(quoted(name) + " is not declared", suggestion(name));
 }
 

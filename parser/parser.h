@@ -165,6 +165,8 @@ class Parser {
   Scene& scene();
   // #default { camera{} }; null: the built-in one.
   std::shared_ptr<const CameraNode> default_camera;
+  // Inside #default { }, where a pigment may leave its colour open.
+  bool in_default_block = false;
   // `global_settings { charset utf8 }`.
   void set_utf8(bool utf8);
   // `charset sys`: an error as soon as a string is read.

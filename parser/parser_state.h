@@ -73,7 +73,8 @@ struct Parser::State {
   struct Lookahead {
     Token token;
     Entry* entry = nullptr;        // identifiers: what the name stands for, or null
-    const Value* value = nullptr;  // the variable or the array element; null: undeclared
+    // The variable or the array element; null: undeclared, or a variable without a value.
+    const Value* value = nullptr;
     bool is_element = false;
     Reference reference;           // of an element: for macro arguments
   };
@@ -171,8 +172,7 @@ struct Parser::State {
   // The noise generator in force, for functions that are evaluated while the scene is read.
   void follow_noise_generator();
   void do_message(Keyword which);
-  void assign(Name name, Value value, bool local, uint32_t scope,
-              std::unique_ptr<Deprecation> deprecation);
+  Reference begin_declaration(Name name, bool local, uint32_t scope);
   void parse_target_element(Reference& target);
   void check_semicolon(bool numeric);
   void write_debug(const std::string& text);

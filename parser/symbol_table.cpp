@@ -21,8 +21,10 @@ Entry& SymbolTable::add(Name name, uint32_t scope) {
   entry->name = name;
   entry->scope = scope;
   entry->live = true;
-  entry->shadowed = tops_[name];
-  tops_[name] = entry;
+  Entry** link = &tops_[name];
+  while (*link && (*link)->scope > scope) link = &(*link)->shadowed;
+  entry->shadowed = *link;
+  *link = entry;
   entry->position = static_cast<uint32_t>(scopes_[scope].size());
   scopes_[scope].push_back(entry);
   return *entry;

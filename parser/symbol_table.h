@@ -53,7 +53,7 @@ class SymbolTable {
 
   // The innermost visible entry, or null.
   Entry* find(Name name) const { return name < tops_.size() ? tops_[name] : nullptr; }
-  // A new entry on top of what is visible. `scope` <= innermost().
+  // A new entry, visible unless a scope inside `scope` has the name. `scope` <= innermost().
   Entry& add(Name name, uint32_t scope);
   // Removes a visible entry; aliases of it die with it.
   void remove(Entry& entry);

@@ -98,7 +98,9 @@ bool Parser::State::may_write(const std::string& path) const {
 void Parser::State::do_fopen() {
   const FlagScope plain(resolve_elements, false);
   const Token name = peek();
-  if (name.kind != TokenKind::identifier || look.entry) error_expected("a new name for the file");
+  if (name.kind != TokenKind::identifier || look.value) {
+    error_expected("a new name for the file");
+  }
   consume();
   const FlagScope elements(resolve_elements, true);
   auto file = std::make_shared<UserFile>();
@@ -207,7 +209,8 @@ void Parser::State::do_read() {
       --array.levels;
       kind = readable(array)->as<Array>().element_kind;
     }
-    if (look.entry && !can_be_read_into(kind)) {
+    const bool without_value = kind == ValueKind::unset && !look.is_element;
+    if (!without_value && !can_be_read_into(kind)) {
       error_expected("a new name, or a float, a vector or a string to read into");
     }
     consume();

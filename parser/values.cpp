@@ -87,8 +87,7 @@ void Parser::State::parse_right_side(RightSide& result, const char* what) {
     }
     const Value& value = *look.value;
     if (!value.is_set()) {
-      error(look.is_element ? "this array element was never set"
-                            : quoted(look.token.name) + " has no value yet");
+      error("this array element was never set");
     }
     const ValueKind kind = value.kind();
     const bool callable = kind == ValueKind::function || kind == ValueKind::spline;

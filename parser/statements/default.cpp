@@ -9,6 +9,7 @@ namespace durer {
 
 void parse_default_block(Parser& parser) {
   parser.expect_open("default");
+  parser.in_default_block = true;
   for (;;) {
     TexturePtr& current = parser.scene().default_texture;
     auto edited = std::make_shared<TextureNode>(*default_texture(parser));
@@ -36,6 +37,7 @@ void parse_default_block(Parser& parser) {
       break;
     }
   }
+  parser.in_default_block = false;
   parser.expect_close("default");
 }
 

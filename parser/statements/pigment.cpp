@@ -32,7 +32,7 @@ class PigmentReader {
     }
     check_pattern(parser_, *node_.pattern);
     if (node_.is_unspecified && node_.pattern->kind == PatternKind::none &&
-        use_ == PatternUse::pigment && !started_from_identifier_) {
+        use_ == PatternUse::pigment && !started_from_identifier_ && !parser_.in_default_block) {
       parser_.warning("this pigment has no colour and no pattern: it is black");
     }
     if (node_.pattern->kind == PatternKind::average && !node_.maps->pigment_map) {

@@ -96,7 +96,12 @@ def run(case, command, read_messages):
         shutil.rmtree(root, ignore_errors=True)
 
 
-PLACE = re.compile(r"File: (\S+)  Line: (\d+)\s(Possible )?Parse (Error|Warning):")
+# An error shows the lines before it between its place and its text.
+PLACE = re.compile(r"File: (\S+)  Line: (\d+)\s(?:File Context \(\d+ lines\):.*?\s)?"
+                   r"(Possible )?Parse (Error|Warning):")
+
+# Of a token that cannot be read povray names the one before (docs/decisions/0049).
+UNREADABLE = re.compile(r"Illegal character|closing comment|No end quote|End of File found")
 
 # What is said at the end of the parse, for which durer names no place.
 END_OF_PARSE = re.compile(r" (No objects in scene|This (scene|rendering)|Your scene)")
@@ -178,7 +183,8 @@ def differences(ours, theirs, with_warnings):
         word = {True: "accepts", False: "refuses"}
         out.append(f"    durer {word[ours.accepted]}, povray {word[theirs.accepted]}: "
                    f"durer {ours.text.strip()[:400]!r} povray {theirs.text.strip()[:400]!r}")
-    elif not ours.accepted and theirs.error and ours.error != theirs.error:
+    elif (not ours.accepted and theirs.error and ours.error != theirs.error
+          and not UNREADABLE.search(theirs.text)):
         out.append(f"    error at: durer {ours.error}, povray {theirs.error}: "
                    f"durer {ours.text.strip()[:300]!r} povray {theirs.text.strip()[:300]!r}")
     if ours.debug != theirs.debug:
