@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -57,6 +58,8 @@ struct OptionReader::Text {
   size_t at = 0;
   std::string place;  // "command line" or "file:line"
   bool from_ini = false;
+  // Nothing follows this line, or the next one begins at once with the name of a setting.
+  bool setting_follows = true;
 
   bool at_end() const { return at >= all.size(); }
   char peek() const { return at_end() ? '\0' : all[at]; }
@@ -186,18 +189,20 @@ void OptionReader::read_named(const OptionEntry& entry, Text& text) {
         break;
       }
       if (text.from_ini) {
-        // A value of several words, unless the next word begins another setting.
+        // A word and blanks, which are part of a string unless another setting follows; several
+        // words are one value.
         const size_t end = text.at;
         text.skip_blanks();
-        if (!text.at_end() && text.peek() != ',' && text.peek() != ';' && text.peek() != '#') {
-          const std::string_view next = text.word("=,;#\"'+-");
-          if (!find_ini_option(next)) {
-            text.at = std::min({text.all.find(';', end), text.all.find('#', end), text.all.size()});
-            value = text.all.substr(begin, text.at - begin);
-            while (!value.empty() && is_blank(value.back())) value.remove_suffix(1);
-            notes_.push_back(text.place + ": '" + std::string(value) +
-                             "' is taken as one value; quote it if it is meant to be one");
-          }
+        const char next = text.peek();
+        const bool is_text = entry.kind == OptionKind::text || entry.kind == OptionKind::list;
+        const bool keeps_blanks = text.at_end() && text.at > end && is_text && !text.setting_follows;
+        const bool several = !text.at_end() && !std::strchr(",;#+-", next);
+        if (keeps_blanks || several) {
+          text.at = std::min({text.all.find(';', end), text.all.find('#', end), text.all.size()});
+          value = text.all.substr(begin, text.at - begin);
+          while (!is_text && !value.empty() && is_blank(value.back())) value.remove_suffix(1);
+          notes_.push_back(text.place + ": '" + std::string(value) +
+                           "' is taken as one value; quote it if it is meant to be one");
           set(entry, value, text);
           break;
         }
@@ -361,6 +366,8 @@ void OptionReader::read_ini_file(const std::string& path, const std::string& sec
     Text text{std::string_view(content).substr(begin, end - begin), 0, "", true};
     begin = end + (content.compare(end, 2, "\r\n") == 0 ? 2 : 1);
     text.place = path + ":" + std::to_string(++line_number);
+    const unsigned char next = begin < content.size() ? content[begin] : 0;
+    text.setting_follows = end == content.size() || std::isalpha(next) != 0;
     text.skip_blanks();
     if (text.peek() == '[') {
       const size_t close = std::min(text.all.find(']'), text.all.size());

@@ -70,6 +70,10 @@ FILES = {
     "skip.ini": "Final_Frame=2\nPost_Frame_Command=false\nPost_Frame_Return=S\n",
     "abort.ini": "Pre_Frame_Command=false\nPre_Frame_Return=U\n",
     "late.ini": "Post_Scene_Command=false\nPost_Scene_Return=F\n",
+    "blanks.ini": "Input_File_Name=s.pov  \nWidth=6\t\nHeight=5 \nOutput_File_Name=a b  \n",
+    "blanks_behind.ini": "Input_File_Name=s.pov\nWidth=6 Height=5\nOutput_File_Name=abc  \n\n",
+    "word_and_setting.ini": "Input_File_Name=s.pov\nWidth=6\nOutput_File_Name=abc Clock=1\nHeight=5\n",
+    "word_and_switch.ini": "Input_File_Name=s.pov\nWidth=6\nOutput_File_Name=abc -J\nHeight=5\n",
     "rest_of_line.ini": "Clock=0.5 Quality=1\nAntialias_Depth=2 Antialias=on\n",
 }
 
@@ -96,8 +100,9 @@ s.pov a.ini | s.pov a | s.pov a[one] | s.pov a.ini[TWO] | s.pov a.ini[none] | b.
 s.pov shell.ini | s.pov stop.ini | switches.ini | s.pov old_mac.ini | s.pov animation.ini
 s.pov animation.ini[cyclic] | s.pov declares.ini | s.pov rest_of_line.ini | s.pov a.ini +W3
 s.pov Include_INI=a.ini | s.pov quoted.ini | s.pov skip.ini | s.pov abort.ini | s.pov late.ini
+blanks.ini | blanks_behind.ini | word_and_setting.ini | word_and_switch.ini
 """
-SIZED = ("a.ini", "a", "a[", "b.ini", "switches.ini", "old_mac.ini", "Include_INI")
+SIZED = ("a.ini", "a", "a[", "b.ini", "blanks", "word_and", "switches.ini", "old_mac.ini", "Include_INI")
 
 # Files that lie there before: a finished picture is skipped with +C, an empty one is not.
 BEFORE = [

@@ -183,8 +183,8 @@ TEST(CliIni, ValuesOfSeveralWords) {
   OptionValues values;
   OptionReader reader(values);
   reader.read_ini(file.path());
-  EXPECT_EQ(values.to_ini(), "Output_File_Name=\"my picture.png\"\nWidth=3\n");
-  EXPECT_EQ(reader.notes().size(), 1u);
+  EXPECT_EQ(values.to_ini(), "Output_File_Name=\"my picture.png \"\nWidth=3\n");
+  EXPECT_EQ(reader.notes().size(), 2u);
 }
 
 TEST(CliIni, CommandsAreTakenRaw) {
