@@ -21,6 +21,7 @@ TEST(Noise, AgreesWithPovrayFarAway) {
   EXPECT_EQ(noise({8098.1e8, 2.3e10, 1.7e9}, 2), 0);
   for (const Vec3& p : {Vec3(3e9, 0.3, 0.2), Vec3(-3e9, 0.3, 0.2), Vec3(5e12, 1e13, -7e12)})
     EXPECT_EQ(noise(p, 2), 1) << p.x;
+  EXPECT_EQ(noise({1e120, 0.3, 0.2}, 2), 1);
 }
 
 // vturbulence(2,.5,6,<1.5,2.5,3.5>) (spec/language.md 8).

@@ -147,7 +147,8 @@ DURER_INLINE double lattice_noise(const Vec3& p) {
   return total(sum);
 }
 
-DURER_INLINE double clamped(double v) { return smaller_of(larger_of(v, 0), 1); }
+// 1 of NaN, which far corners that cancel out leave.
+DURER_INLINE double clamped(double v) { return larger_of(smaller_of(v, 1), 0); }
 DURER_INLINE double corrected_noise(const Vec3& p) {
   return clamped((lattice_noise(p) + 1.05242) * 0.48985582);
 }

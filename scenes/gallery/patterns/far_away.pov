@@ -8,6 +8,7 @@ camera { orthographic location -10*z right 4*x up 3*y look_at 0 }
     warp { planar } scale 1e-9 translate <0.3, 0.2, 0> } translate <-2, Y, 0> }
 #end
 Strip(pigment { bozo }, -1.4)
+Strip(pigment { bozo turbulence 1.5 octaves 10 lambda 2.5 }, -0.9)
 Strip(pigment { wrinkles }, -0.4)
 Strip(pigment { granite }, 0.1)
 Strip(pigment { marble turbulence 0.5 }, 0.6)
