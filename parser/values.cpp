@@ -411,6 +411,7 @@ std::shared_ptr<const Spline> Parser::State::parse_spline() {
     accept_comma();
   }
   if (!accept(Symbol::brace_close)) error_expected("'}' after the spline's points");
+  spline->complete();
   return spline;
 }
 

@@ -4,7 +4,7 @@ tsan four threads share small blocks.
 Registered in these presets only. Pictures are small, every third with antialiasing.
 
     sanitized_scenes.py address|thread DURER FOLDER... [--filter PART OF A NAME] [--every N]
-                        [--size WxH] [--jobs N]
+                        [--size WxH] [--jobs N] [--logs FOLDER] [--repeat N]
 """
 import argparse
 import concurrent.futures
@@ -13,6 +13,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 SECONDS = 600
@@ -46,6 +47,10 @@ def render(arguments, scene, antialias, folder):
         return None, f"not done after {SECONDS} s"
     messages = done.stderr.decode("latin-1")
     report = REPORT.search(messages)
+    if arguments.logs and (report or done.returncode not in (0, NOT_SUPPORTED)):
+        name = "-".join(scene.parts[-2:]) + f"-{arguments.sanitizer}-{os.getpid()}"
+        (arguments.logs / f"{name}-{time.monotonic_ns()}.log").write_text(
+            " ".join([arguments.durer, str(scene), *options]) + "\n" + messages)
     return done.returncode, messages[report.start():][:REPORT_LENGTH] if report else None
 
 
@@ -58,9 +63,14 @@ def main():
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--size", default="48x36")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--logs", type=Path, help="keeps all that a run with a report has said")
+    parser.add_argument("--repeat", type=int, default=1, help="renders each scene so many times")
     arguments = parser.parse_args()
+    if arguments.logs:
+        arguments.logs.mkdir(parents=True, exist_ok=True)
     scenes = sorted(scene for folder in arguments.folders for scene in folder.rglob("*.pov")
                     if arguments.filter in str(scene))[::arguments.every]
+    scenes *= arguments.repeat
     if not scenes:
         sys.exit("no scenes")
 

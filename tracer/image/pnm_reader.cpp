@@ -60,7 +60,8 @@ RasterFile read_pnm(const std::string& path, ImageFileType type) {
   file.width = text.number(1 << 24);
   file.height = text.number(1 << 24);
   const int maximum = text.number(65535);
-  if (file.width < 1 || file.height < 1 || maximum < 1) text.wrong();
+  if (maximum < 1) text.wrong();
+  check_size(path, file.width, file.height);
   file.maximum = maximum;
   file.channels = has_colors ? 3 : 1;
   file.bits = maximum > 255 ? 16 : 8;

@@ -80,6 +80,9 @@ RasterFile read_raster(const std::string& path, ImageFileType type) {
     case ImageFileType::pot: file = read_pot(path); break;
     default: file = read_with_openimageio(path); break;
   }
+  // A BMP may say that it has no rows, and stb_image believes it.
+  if (file.width < 1 || file.height < 1)
+    throw std::runtime_error("the image '" + path + "' has no pixels");
   if (type == ImageFileType::tiff && file.straight_alpha) premultiply(file);
   file.type = type;
   return file;

@@ -1,6 +1,7 @@
 #include "tracer/math/spline.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace durer {
 
@@ -17,10 +18,10 @@ void Spline::add(double parameter, const std::array<double, 5>& value, int terms
     const bool largest = place + 1 == knots_.end();
     if (!largest || knots_.size() == 1) place->value = value;
   }
-  solve_natural();
+  second_derivatives_.clear();
 }
 
-void Spline::solve_natural() {
+void Spline::complete() {
   // Tridiagonal system for the second derivatives, zero at both ends.
   const size_t n = knots_.size();
   second_derivatives_.assign(n, {});
@@ -55,26 +56,31 @@ void Spline::evaluate(double t, SplineInterpolation as, double* result) const {
     std::copy_n(knot.value.begin(), width, result);
   };
   if (n == 1) return copy(knots_[0]);
+  if (n == 2 && as == SplineInterpolation::cubic) {
+    for (size_t c = 0; c < width; ++c) result[c] = (knots_[0].value[c] + knots_[1].value[c]) / 2;
+    return;
+  }
+  if (std::isnan(t)) {
+    std::fill_n(result, width, t);
+    return;
+  }
 
   if (as == SplineInterpolation::cubic) {
     // Catmull-Rom between the second and the last but one knot, constant outside.
-    if (n == 2) {
-      for (size_t c = 0; c < width; ++c)
-        result[c] = (knots_[0].value[c] + knots_[1].value[c]) / 2;
-      return;
-    }
-    if (t <= knots_[1].parameter) return copy(knots_[1]);
-    if (t > knots_[n - 2].parameter) return copy(knots_[n - 2]);
+    if (!(t > knots_[1].parameter)) return copy(knots_[1]);
+    if (!(t <= knots_[n - 2].parameter)) return copy(knots_[n - 2]);
   } else {
-    if (t <= knots_[0].parameter) return copy(knots_[0]);
-    if (t >= knots_[n - 1].parameter) return copy(knots_[n - 1]);
+    if (!(t > knots_[0].parameter)) return copy(knots_[0]);
+    if (!(t < knots_[n - 1].parameter)) return copy(knots_[n - 1]);
   }
 
-  // The segment [i, i+1] that holds t.
+  // The segment [i, i+1] that holds t. (Parameters that are no numbers have no order: whatever the
+  // search finds then, the knots that are read exist.)
   const auto above = std::lower_bound(
       knots_.begin(), knots_.end(), t,
       [](const SplineKnot& knot, double value) { return knot.parameter < value; });
-  const size_t i = static_cast<size_t>(above - knots_.begin()) - 1;
+  const size_t outer = as == SplineInterpolation::cubic ? 2 : 1;
+  const size_t i = std::clamp(static_cast<size_t>(above - knots_.begin()), outer, n - outer) - 1;
   const SplineKnot &left = knots_[i], &right = knots_[i + 1];
   const double length = right.parameter - left.parameter;
   const double d = t - left.parameter;

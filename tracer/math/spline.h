@@ -28,16 +28,16 @@ class Spline {
   int terms() const { return terms_; }
   const std::vector<SplineKnot>& knots() const { return knots_; }
 
-  // Writes five numbers, also those behind terms(). At least one knot.
+  // After the last knot: solves the natural spline for its second derivatives.
+  void complete();
+
+  // Writes five numbers, also those behind terms(). At least one knot, and complete.
   void evaluate(double t, double* result) const { evaluate(t, kind, result); }
   void evaluate(double t, SplineInterpolation as, double* result) const;
 
  private:
-  // Second derivatives of the natural spline, solved whenever a knot is added.
-  void solve_natural();
-
   std::vector<SplineKnot> knots_;  // by parameter
-  std::vector<std::array<double, 5>> second_derivatives_;
+  std::vector<std::array<double, 5>> second_derivatives_;  // of the natural spline
   int terms_ = 2;
 };
 
