@@ -280,9 +280,11 @@ class FrameRenderer {
   FrameOutcome compare_methods() {
     Stopwatch watch;
     const std::string path =
-        output_path(options_.input_file, options_.output_name, options_.file_type,
-                    options_.output_name.empty() ? "-methods" : frame_.suffix);
-    check_output(path);
+        is_standard_stream(options_.output_name)
+            ? options_.output_name
+            : output_path(options_.input_file, options_.output_name, options_.file_type,
+                    (options_.output_name.empty() ? "-methods" : "") + frame_.suffix);
+    if (options_.output_to_file && !is_standard_stream(path)) check_output(path);
     const PreparedView& view = prepare(std::move(scene_->objects), *scene_->camera);
     statistics_.lights = view.scene.world->lights().size();
     statistics_.build_seconds = watch.lap();
@@ -306,12 +308,13 @@ class FrameRenderer {
       statistics_.output = path;
       run_.frames.push_back(statistics_);
     }
+    for (const std::string& line : method_table(results)) console_.line(Stream::render, line);
+    if (!options_.output_to_file) return FrameOutcome::done;
     try {
       write_picture(path, method_sheet(results), options_, *scene_);
     } catch (const std::runtime_error& error) {
       fail(error.what());
     }
-    for (const std::string& line : method_table(results)) console_.line(Stream::render, line);
     console_.line(Stream::render, "Picture: " + path);
     return FrameOutcome::done;
   }

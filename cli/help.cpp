@@ -72,7 +72,7 @@ std::string help_text() {
       "durer " DURER_VERSION
       ": renders scenes of POV-Ray's language.\n"
       "\n"
-      "  durer scene.pov                        a picture of 800 x 600 or what povray.ini says\n"
+      "  durer scene.pov                        a picture in povray.ini's size (Debian: 800 x 600)\n"
       "  durer scene.pov +W1920 +H1080 +A0.1    larger, antialiased\n"
       "  durer scene.pov -O- > picture.png      to standard output\n"
       "  durer --parse-only scene.pov           only look for mistakes\n"
@@ -80,8 +80,10 @@ std::string help_text() {
       "  durer scene.ini[final]                 settings from a section of an INI file\n"
       "\n"
       "Settings come from povray.ini ($POVINI, ./povray.ini, ~/.povray/3.7/povray.ini,\n"
-      "/etc/povray/3.7/povray.ini), then from the command line, left to right: POV-Ray's switches\n"
-      "(+ turns on, - turns off), long options (--no-NAME turns off), or Name=value as in INI files.\n";
+      "/etc/povray/3.7/povray.ini, ~/.povrayrc: the first that exists), then from the command line, left\n"
+      "to right: POV-Ray's switches (+ turns on, - turns off; the value directly behind the name), long\n"
+      "options (--no-NAME turns off), or Name=value as in INI files. What has no effect is said in a note;\n"
+      "`man durer` lists those switches, too.\n";
   for (const GroupTitle& group : kGroups) {
     out += std::string("\n") + group.title + ":\n";
     for (int i = 0; i < kOptionCount; ++i) {

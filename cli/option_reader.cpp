@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "parser/edit_distance.h"
+
 namespace durer {
 namespace {
 
@@ -99,11 +101,18 @@ void OptionReader::set(const OptionEntry& entry, std::string_view value, const T
   }
   if (entry.id == Option::declare && !is_declaration(value)) {
     notes_.push_back(text.place + ": Declare=" + std::string(value) +
-                     " is passed over: it lacks a name or a value, as in Declare=size=3");
+                     " is passed over: it lacks a name or a value, as in Declare=Count=3");
     return;
   }
   if (!values_.set_from_text(entry.id, value)) {
     text.fail(std::string(entry.ini_name) + " cannot be '" + std::string(value) + "'");
+  }
+  if (!is_whole_value(entry.kind, value)) {
+    const std::string read = entry.kind != OptionKind::toggle ? values_.written(entry.id)
+                             : values_.toggle(entry.id, false) ? "on"
+                                                               : "off";
+    notes_.push_back(text.place + ": " + entry.ini_name + ": '" + std::string(value) +
+                     "' is read as " + read);
   }
   note_if_without_effect(entry);
 }
@@ -119,7 +128,14 @@ void OptionReader::read_switch(Text& text) {
   const std::string whole(text.all.substr(begin, text.at - begin));
   size_t name_length = 0;
   const OptionEntry* entry = find_switch(word, name_length);
-  if (!entry) text.fail("there is no switch '" + whole + "' (durer --help lists them)");
+  if (!entry) {
+    // +W 20: the name is there, its value is not.
+    const OptionEntry* named = find_switch(word + "1", name_length);
+    if (named && name_length == word.size()) {
+      text.fail("'" + whole + "' needs its value directly behind it: " + whole + named->value_name);
+    }
+    text.fail("there is no switch '" + whole + "' (durer --help lists them)");
+  }
   if (entry->kind == OptionKind::toggle) {
     values_.set_toggle(entry->id, on);
     note_if_without_effect(*entry);
@@ -180,7 +196,8 @@ void OptionReader::read_named(const OptionEntry& entry, Text& text) {
       std::string_view value = text.word(text.from_ini ? ",;#\"'" : ";#\"'");
       // Declare=foo="a b": the string is part of the value.
       if (entry.id == Option::declare && is_quote(text.peek()) && !text.from_ini) {
-        text.fail("a declared string needs quotes around the whole: Declare='name=\"text\"'");
+        text.fail("a declared string needs quotes around the whole, which shells take away: write "
+                  "--declare 'name=\"text\"'");
       }
       if (text.from_ini && is_quote(text.peek())) {
         notes_.push_back(text.place + ": what begins with the quote behind '" + std::string(value) +
@@ -282,7 +299,20 @@ static std::string file_type_letter(const std::string& name) {
   for (const auto& [word, letter] : kNames) {
     if (equal_ignoring_case(name, word)) return letter;
   }
-  return name.size() == 1 ? name : "?";
+  return name.size() == 1 && is_file_type(name[0]) ? name : "";
+}
+
+// The long option that was meant, for the error message; empty: none is near.
+static std::string suggested_option(std::string_view name) {
+  const int most = 2 * std::clamp(static_cast<int>(name.size()) / 3, 1, 3);
+  int best = most + 1;
+  std::string nearest;
+  for (int i = 0; i < kOptionCount; ++i) {
+    const char* known = option_entry(i).long_name;
+    const int distance = edit_distance(name, known, most);
+    if (*known && distance < best) best = distance, nearest = known;
+  }
+  return nearest.empty() ? "" : "; did you mean --" + nearest + "?";
 }
 
 void OptionReader::read_long_option(const std::vector<std::string>& arguments, size_t& index) {
@@ -297,7 +327,11 @@ void OptionReader::read_long_option(const std::vector<std::string>& arguments, s
     on = false;
     if (entry && entry->kind != OptionKind::toggle) entry = nullptr;
   }
-  if (!entry) text.fail("there is no option '--" + std::string(name) + "' (durer --help lists them)");
+  if (!entry) {
+    const std::string suggestion = suggested_option(name);
+    text.fail("there is no option '--" + std::string(name) + "'" +
+              (suggestion.empty() ? " (durer --help lists them)" : suggestion));
+  }
   std::string value;
   if (equals != std::string_view::npos) {
     value = argument.substr(equals + 1);
@@ -310,7 +344,18 @@ void OptionReader::read_long_option(const std::vector<std::string>& arguments, s
   } else {
     text.fail("--" + std::string(name) + " needs a value: " + entry->value_name);
   }
-  if (entry->kind == OptionKind::file_type) value = file_type_letter(value);
+  // POV-Ray reads the beginning of a word as a number; long options are ours and take whole words.
+  const std::string refusal = "--" + std::string(name) + " cannot be '" + value + "': ";
+  if (!is_whole_value(entry->kind, value)) {
+    text.fail(refusal + (entry->kind == OptionKind::toggle    ? "on or off"
+                         : entry->kind == OptionKind::integer ? "a whole number"
+                                                              : "a number"));
+  }
+  if (entry->id == Option::declare && !is_declaration(value)) text.fail(refusal + "NAME=VALUE");
+  if (entry->kind == OptionKind::file_type) {
+    value = file_type_letter(value);
+    if (value.empty()) text.fail(refusal + "png, tga, tga-rle, jpeg, ppm, bmp, exr, hdr or tiff");
+  }
   set(*entry, value, text);
   if (entry->sign != Option::count) values_.set_toggle(entry->sign, true);
   // --supersampling grid 4

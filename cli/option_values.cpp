@@ -43,6 +43,28 @@ bool read_number(std::string_view text, double& number) {
   return end != copy.c_str();
 }
 
+bool is_whole_value(OptionKind kind, std::string_view text) {
+  const std::string copy(text);
+  char* end = nullptr;
+  switch (kind) {
+    case OptionKind::toggle:
+      for (const char* word : {"on", "true", "yes", "1", "off", "false", "no", "0"}) {
+        if (equal_ignoring_case(text, word)) return true;
+      }
+      return false;
+    case OptionKind::integer:
+      std::strtol(copy.c_str(), &end, 10);
+      break;
+    case OptionKind::number:
+    case OptionKind::subset_frame:
+      std::strtod(copy.c_str(), &end);
+      break;
+    default:
+      return true;
+  }
+  return end != copy.c_str() && *end == 0;
+}
+
 bool is_file_type(char letter) { return letter != 0 && std::strchr("NTCJPBEHF", upper(letter)); }
 
 bool OptionValues::toggle(Option id, bool otherwise) const {
@@ -139,37 +161,37 @@ bool OptionValues::set_file_type_from_switch(std::string_view text) {
   return set_from_text(Option::bits_per_color, rest);
 }
 
+std::string OptionValues::written(Option id) const {
+  const OptionEntry& entry = option_entry(id);
+  const Value& v = value(id);
+  char number[64];
+  switch (entry.kind) {
+    case OptionKind::toggle:
+      return v.toggle ? "On" : "Off";
+    case OptionKind::integer:
+      return std::to_string(v.integer);
+    case OptionKind::number:
+    case OptionKind::subset_frame:
+      std::snprintf(number, sizeof number, "%g", v.number);
+      return number;
+    case OptionKind::gamma:
+      std::snprintf(number, sizeof number, "%g", v.number);
+      return v.text.empty() ? number : v.text;
+    case OptionKind::text:
+      return id == Option::video_mode ? v.text : "\"" + v.text + "\"";
+    default:
+      return v.text;
+  }
+}
+
 std::string OptionValues::to_ini() const {
   std::string out;
   for (int i = 0; i < kOptionCount; ++i) {
     const OptionEntry& entry = option_entry(i);
     const Value& v = value(entry.id);
     if (!v.set) continue;
-    char number[64];
     const std::string name = std::string(entry.ini_name) + "=";
     switch (entry.kind) {
-      case OptionKind::toggle:
-        out += name + (v.toggle ? "On\n" : "Off\n");
-        break;
-      case OptionKind::integer:
-        out += name + std::to_string(v.integer) + "\n";
-        break;
-      case OptionKind::number:
-      case OptionKind::subset_frame:
-        std::snprintf(number, sizeof number, "%g\n", v.number);
-        out += name + number;
-        break;
-      case OptionKind::text:
-        out += name + (entry.id == Option::video_mode ? v.text : "\"" + v.text + "\"") + "\n";
-        break;
-      case OptionKind::file_type:
-      case OptionKind::dither_method:
-        out += name + v.text + "\n";
-        break;
-      case OptionKind::gamma:
-        std::snprintf(number, sizeof number, "%g", v.number);
-        out += name + (v.text.empty() ? number : v.text.c_str()) + "\n";
-        break;
       case OptionKind::list:
         for (const std::string& element : v.list) {
           // A declared string is quoted itself.
@@ -180,6 +202,9 @@ std::string OptionValues::to_ini() const {
         break;
       case OptionKind::include_ini:
       case OptionKind::obsolete:
+        break;
+      default:
+        out += name + written(entry.id) + "\n";
         break;
     }
   }

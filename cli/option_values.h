@@ -28,6 +28,8 @@ class OptionValues {
   // Switch form of Output_File_Type: a letter, then nothing, bits per colour, or g.
   bool set_file_type_from_switch(std::string_view text);
 
+  // A single value as Create_INI writes it.
+  std::string written(Option id) const;
   // Name=value lines in the table's order, as POV-Ray's Create_INI writes them.
   std::string to_ini() const;
 
@@ -50,6 +52,8 @@ class OptionValues {
 bool read_toggle(std::string_view text);
 bool read_integer(std::string_view text, int& n);     // decimal prefix
 bool read_number(std::string_view text, double& number);  // floating-point prefix
+// Whether all of the text says what a value of this kind is read as: not 12abc, 2GB or maybe.
+bool is_whole_value(OptionKind kind, std::string_view text);
 // File types by letter; grey: whether it can be stored as a grey picture.
 bool is_file_type(char letter);
 

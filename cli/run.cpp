@@ -15,6 +15,7 @@
 #include "cli/option_reader.h"
 #include "cli/options.h"
 #include "cli/output_name.h"
+#include "cli/setting_notes.h"
 #include "cli/shell.h"
 #include "tracer/system/thread_limit.h"
 #include "tracer/scene/not_supported.h"
@@ -227,6 +228,7 @@ int run(const std::vector<std::string>& arguments) {
   OptionValues values;
   OptionReader reader(values);
   Options options;
+  std::vector<std::string> notes;
   const bool compare_methods = !arguments.empty() && arguments.front() == "compare-methods";
   try {
     reader.read_main_ini();
@@ -234,6 +236,8 @@ int run(const std::vector<std::string>& arguments) {
     reader.add_library_paths_of_the_system();
     options = resolve_options(values);
     options.compare_methods = compare_methods;
+    notes = reader.notes();
+    for (std::string& note : setting_notes(values, options)) notes.push_back(std::move(note));
   } catch (const OptionError& error) {
     complain(error.what());
     return kFailure;
@@ -248,7 +252,7 @@ int run(const std::vector<std::string>& arguments) {
   }
   limit_memory(options.max_memory);
   limit_threads(options.render.threads);
-  return Run(options).render_all(reader.notes());
+  return Run(options).render_all(notes);
 }
 
 }  // namespace durer

@@ -159,6 +159,46 @@ TEST(CliLongOptions, StandBesideTheSwitches) {
   expect_error({"--nonsense"});
 }
 
+// What an OptionError says; empty: there was none.
+std::string error_of(const std::vector<std::string>& arguments) {
+  try {
+    ini_of(arguments);
+  } catch (const OptionError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CliLongOptions, TakeWholeWordsOnly) {
+  EXPECT_NE(error_of({"--width", "12abc"}).find("'12abc'"), std::string::npos);
+  EXPECT_NE(error_of({"--max-memory=2GB"}).find("a number"), std::string::npos);
+  EXPECT_NE(error_of({"--type", "webp"}).find("tiff"), std::string::npos);
+  EXPECT_NE(error_of({"--declare", "size"}).find("NAME=VALUE"), std::string::npos);
+  EXPECT_NE(error_of({"--dither=maybe"}).find("on or off"), std::string::npos);
+  EXPECT_EQ(ini_of({"--dither=off", "--clock=-1e2", "--type=jpg"}),
+            "Clock=-100\nDither=Off\nOutput_File_Type=J\nOutput_To_File=On\n");
+}
+
+TEST(CliLongOptions, SlipsAreAnsweredWithTheNearestName) {
+  EXPECT_NE(error_of({"--heigth", "20"}).find("did you mean --height?"), std::string::npos);
+  EXPECT_NE(error_of({"+W", "20"}).find("+WN"), std::string::npos);
+}
+
+TEST(CliSwitches, WhatIsReadInPartIsNoted) {
+  const auto notes_of = [](const std::vector<std::string>& arguments) {
+    OptionValues values;
+    OptionReader reader(values);
+    reader.read_arguments(arguments);
+    return reader.notes();
+  };
+  EXPECT_EQ(notes_of({"+W20x"}),
+            std::vector<std::string>{"command line: Width: '20x' is read as 20"});
+  EXPECT_EQ(notes_of({"Antialias=maybe"}),
+            std::vector<std::string>{"command line: Antialias: 'maybe' is read as off"});
+  EXPECT_EQ(notes_of({"Width=3.7"}).size(), 1u);
+  EXPECT_TRUE(notes_of({"+W20", "+A0.3", "Antialias=On", "+K-1.5e1", "+FN16", "+THB2"}).empty());
+}
+
 TEST(CliIni, SectionsCommentsAndLists) {
   const TemporaryFile file(".ini",
                            "; a comment\r\n"
