@@ -218,8 +218,11 @@ void OptionReader::read_named(const OptionEntry& entry, Text& text) {
           text.at = std::min({text.all.find(';', end), text.all.find('#', end), text.all.size()});
           value = text.all.substr(begin, text.at - begin);
           while (!is_text && !value.empty() && is_blank(value.back())) value.remove_suffix(1);
-          notes_.push_back(text.place + ": '" + std::string(value) +
-                           "' is taken as one value; quote it if it is meant to be one");
+          // Of other values set() says what is read.
+          if (is_text) {
+            notes_.push_back(text.place + ": '" + std::string(value) +
+                             "' is taken as one value; quote it if it is meant to be one");
+          }
           set(entry, value, text);
           break;
         }
