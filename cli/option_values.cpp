@@ -44,6 +44,8 @@ bool read_number(std::string_view text, double& number) {
 }
 
 bool is_whole_value(OptionKind kind, std::string_view text) {
+  // Blanks behind a value may belong to it in INI files, and say nothing.
+  text = text.substr(0, text.find_last_not_of(" \t") + 1);
   const std::string copy(text);
   char* end = nullptr;
   switch (kind) {

@@ -196,6 +196,8 @@ TEST(CliSwitches, WhatIsReadInPartIsNoted) {
   EXPECT_EQ(notes_of({"Antialias=maybe"}),
             std::vector<std::string>{"command line: Antialias: 'maybe' is read as off"});
   EXPECT_EQ(notes_of({"Width=3.7"}).size(), 1u);
+  const TemporaryFile blanks(".ini", "Width=20 ; behind blanks\nAntialias=on  \n; the end\n");
+  EXPECT_TRUE(notes_of({blanks.path()}).empty());
   EXPECT_TRUE(notes_of({"+W20", "+A0.3", "Antialias=On", "+K-1.5e1", "+FN16", "+THB2"}).empty());
 }
 
