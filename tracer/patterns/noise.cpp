@@ -147,12 +147,18 @@ DURER_INLINE double lattice_noise(const Vec3& p) {
   return total(sum);
 }
 
-// 1 of NaN, which far corners that cancel out leave.
-DURER_INLINE double clamped(double v) { return larger_of(smaller_of(v, 1), 0); }
-DURER_INLINE double corrected_noise(const Vec3& p) {
-  return clamped((lattice_noise(p) + 1.05242) * 0.48985582);
+DURER_INLINE double clamped(double v) { return smaller_of(larger_of(v, 0), 1); }
+// Far corners that cancel out leave NaN, which counts as 1; of a point that is NaN the noise is 0.
+DURER_INLINE double clamped_noise(double v, const Vec3& p) {
+  if (v != v) [[unlikely]] return p.x != p.x || p.y != p.y || p.z != p.z ? 0 : 1;
+  return clamped(v);
 }
-DURER_INLINE double original_noise(const Vec3& p) { return clamped(lattice_noise(p) + 0.5); }
+DURER_INLINE double corrected_noise(const Vec3& p) {
+  return clamped_noise((lattice_noise(p) + 1.05242) * 0.48985582, p);
+}
+DURER_INLINE double original_noise(const Vec3& p) {
+  return clamped_noise(lattice_noise(p) + 0.5, p);
+}
 
 // Generator 3: gradients on a lattice of 2048 (spec/textures.md 2.5).
 struct GradientLattice {
