@@ -83,6 +83,7 @@ SCENES = {
     "a mark of UTF-8": b"\xef\xbb\xbf" + HEAD.encode() + b"sphere { 0, 1 }",
     "old line ends": (HEAD + "sphere { 0, 1 }").replace("\n", "\r").encode(),
     "a long line": HEAD.encode() + b"".join(b"sphere { %d, 1 }" % i for i in range(20000)),
+    "spheres in one place": HEAD.encode() + b"sphere { 0, 1 }" * 5000,
     "a long line of blanks": HEAD.encode() + b" " * 10000000,
     "a long sum": (HEAD + "#declare X = " + "1 + " * DEEP + "1;").encode(),
     "a spline of many points": (HEAD + "#declare S = spline { natural_spline "

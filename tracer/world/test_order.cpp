@@ -1,7 +1,9 @@
 #include "tracer/world/test_order.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace durer {
 namespace {
@@ -60,9 +62,7 @@ bool enters(const FloatBox& box, const FloatRay& ray, float& key) {
 // The reference's heap: which of two equal keys leaves first is its own affair.
 class Heap {
  public:
-  explicit Heap(std::vector<std::pair<float, uint32_t>>& items) : items_(items) {
-    items_.assign(1, {});
-  }
+  void clear() { items_.assign(1, {}); }
   bool is_empty() const { return items_.size() == 1; }
   void push(float key, uint32_t node) {
     items_.emplace_back(key, node);
@@ -86,12 +86,26 @@ class Heap {
   }
 
  private:
-  std::vector<std::pair<float, uint32_t>>& items_;  // from place 1 on
+  std::vector<std::pair<float, uint32_t>> items_;  // from place 1 on
+};
+
+// How far the walk of a thread's last ray has been followed.
+struct Walk {
+  uint64_t order = 0;  // TestOrder's number
+  Vec3 origin, direction;
+  Heap heap;
+  // When each object had its turn, counted over all walks; turns up to `start` are of earlier ones.
+  std::vector<uint64_t> turn;
+  uint64_t start = 0, last_turn = 0;
+
+  bool has_tested(uint32_t object) const { return turn[object] > start; }
 };
 
 }  // namespace
 
 TestOrder::TestOrder(const std::vector<FloatBox>& boxes) {
+  static std::atomic<uint64_t> count = 0;
+  number_ = ++count;
   std::vector<uint32_t> infinite;
   for (size_t i = 0; i < boxes.size(); ++i) {
     Node leaf;
@@ -205,23 +219,29 @@ bool TestOrder::split(uint32_t first, uint32_t last) {
 
 bool TestOrder::is_tested_first(uint32_t a, uint32_t b, const Vec3& origin,
                                 const Vec3& direction) const {
-  thread_local std::vector<std::pair<float, uint32_t>> items;
+  thread_local Walk walk;
   const FloatRay ray(origin, direction);
-  Heap heap(items);
   const auto enter = [&](uint32_t i) {
     float key = kInfiniteKey;
-    if (nodes_[i].is_infinite || enters(nodes_[i].box, ray, key)) heap.push(key, i);
+    if (nodes_[i].is_infinite || enters(nodes_[i].box, ray, key)) walk.heap.push(key, i);
   };
-  enter(root_);
-  while (!heap.is_empty()) {
-    const Node& node = nodes_[heap.pop()];
-    if (node.object >= 0) {
-      if (node.object == a) return true;
-      if (node.object == b) return false;
-    }
+  if (walk.order != number_ || walk.origin != origin || walk.direction != direction) {
+    walk.order = number_;
+    walk.origin = origin;
+    walk.direction = direction;
+    walk.heap.clear();
+    // Objects are the first nodes.
+    if (walk.turn.size() < nodes_.size()) walk.turn.resize(nodes_.size());
+    walk.start = walk.last_turn;
+    enter(root_);
+  }
+  while (!walk.has_tested(a) && !walk.has_tested(b)) {
+    if (walk.heap.is_empty()) return a < b;
+    const Node& node = nodes_[walk.heap.pop()];
+    if (node.object >= 0) walk.turn[static_cast<size_t>(node.object)] = ++walk.last_turn;
     for (uint32_t i = 0; i < node.count; ++i) enter(entries_[node.first + i]);
   }
-  return a < b;
+  return walk.has_tested(a) && (!walk.has_tested(b) || walk.turn[a] < walk.turn[b]);
 }
 
 }  // namespace durer

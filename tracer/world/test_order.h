@@ -15,7 +15,8 @@ class TestOrder {
   // Boxes of the objects in the order of their declaration.
   explicit TestOrder(const std::vector<FloatBox>& boxes);
 
-  // Whether a ray tests object a before b; neither a nor b need be met.
+  // Whether a ray tests object a before b; neither a nor b need be met. A ray's walk is followed once,
+  // as far as its questions ask for, whatever their number.
   bool is_tested_first(uint32_t a, uint32_t b, const Vec3& origin, const Vec3& direction) const;
 
  private:
@@ -33,6 +34,7 @@ class TestOrder {
   std::vector<uint32_t> list_;     // while it is built: numbers of nodes
   std::vector<uint32_t> entries_;  // numbers of nodes
   uint32_t root_ = 0;
+  uint64_t number_;  // none else of this program has it
 };
 
 }  // namespace durer
