@@ -35,7 +35,7 @@ class SweptSolid {
   bool holds_start() const {
     const Vec3 start = ray_.origin + kSweepStart * ray_.direction;
     return node_.shape->inside(transform_ ? transform_->inverse_point(start) : start) !=
-           node_.shape->is_outside_of_convex();
+           node_.holds_outside;
   }
 
   LineHits crossings;

@@ -390,6 +390,7 @@ void Geometry::finish_node(uint32_t index) {
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
   node.is_half_space = node.kind == NodeKind::shape && node.shape->is_half_space();
+  node.holds_outside = node.kind == NodeKind::shape && node.shape->is_outside_of_convex();
   std::vector<uint32_t> solids;
   SweepPlan plan;
   if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&

@@ -33,6 +33,7 @@ struct GeometryNode {
   bool csg_child = false;
   bool narrows = false;         // a convex solid: an intersection with it lies within its hits
   bool is_half_space = false;
+  bool holds_outside = false;   // its shape's inside test is that of what is outside of a convex solid
   bool is_flat = false;         // `swept` stands for one intersection of all
   bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
