@@ -40,6 +40,8 @@ class OpenFile final : public OIIO::Filesystem::IOProxy {
     return std::fread(to, 1, size, file_);
   }
   size_t write(const void* from, size_t size) override {
+    // A Targa's empty thumbnail comes as a null pointer.
+    if (size == 0) return 0;
     const size_t written = std::fwrite(from, 1, size, file_);
     keep_reason(written == size);
     return written;
