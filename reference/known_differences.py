@@ -14,7 +14,7 @@ At most 2 % of a suite may be listed.
 import csv
 import shlex
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import suites
@@ -45,7 +45,7 @@ class KnownDifference:
         if self.edit[0] not in text:
             raise SystemExit(f"{PATH}: {self.scene} does not contain {self.edit[0]!r}")
         path.write_bytes(text.replace(*self.edit).encode("latin-1"))
-        return suites.Scene(scene.suite, scene.name, path)
+        return replace(scene, path=path)
 
 
 def read(path=PATH):

@@ -20,6 +20,7 @@ DURER_STREAMS = ("-V", "-GD", "-GR", "-GS")
 DURER_MEMORY_LIMIT = 12 << 30
 BUSY_MACHINE = "worker thread startup"  # povray gives up where its threads wait for long
 STARTS = 5
+PICTURE = "reference_picture.png"
 STOPPED = (-signal.SIGINT, -signal.SIGTERM)  # from outside
 
 
@@ -58,7 +59,7 @@ def povray_version():
 def povray(scene, options, cpu_limit=180, nice=10):
     """povray's picture of a scene, from the cache where it is there."""
     key = hashlib.sha256("\0".join((povray_version(), scene.content_hash(), scene.path.name,
-                                    *options)).encode()).hexdigest()
+                                    *scene.options, *options)).encode()).hexdigest()
     entry = cache_root() / key[:2] / key
     record = entry / "result.json"
     if record.exists():
@@ -96,9 +97,9 @@ def povray(scene, options, cpu_limit=180, nice=10):
 def run_povray(scene, options, cpu_limit, nice, kept_picture=None):
     """povray's picture of a scene, rendered now."""
     with processes.Scratch(scene) as scratch:
-        output = scratch.folder / "reference_picture.png"
+        output = scratch.folder / PICTURE
         command = ["povray", f"+I{scene.path.name}", f"+O{output.name}", *COMMON_OPTIONS,
-                   *POVRAY_STREAMS, *options]
+                   *POVRAY_STREAMS, *scene.options, *options]
         # povray's I/O rules let it read below the home folder and the current one.
         result = processes.run(command, scratch.folder, cpu_limit, scratch.root,
                                {"HOME": str(scratch.root)}, nice)
@@ -107,30 +108,37 @@ def run_povray(scene, options, cpu_limit, nice, kept_picture=None):
             fatal = processes.read_text(scratch.folder / "fatal_stream.txt")
             error = first_error(fatal) or first_error(result.stderr)
         debug = processes.read_text(scratch.folder / "debug_stream.txt")
-        path = keep(output, kept_picture) if result.code == 0 else None
+        path = keep(drawn_picture(scratch.folder), kept_picture) if result.code == 0 else None
     return Picture(path, result.code, result.cpu, result.wall, result.peak_kb, result.timed_out, error,
                    debug)
 
 
-def keep(output, kept_picture):
-    """Move the picture out of the scratch folder if it is wanted."""
-    if kept_picture is None or not output.exists():
+def drawn_picture(folder):
+    """The picture of a run; a frame's has the frame's number behind its name. None: there is none."""
+    pictures = list(folder.glob(f"{Path(PICTURE).stem}*.png"))
+    return pictures[0] if len(pictures) == 1 else None
+
+
+def keep(picture, kept_picture):
+    """Copy the picture out of the scratch folder if it is wanted."""
+    if kept_picture is None or picture is None:
         return None
     kept_picture.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copy(output, kept_picture)
+    shutil.copy(picture, kept_picture)
     return kept_picture
 
 
 def durer(binary, scene, options, kept_picture, cpu_limit=120, nice=10):
     """durer's picture of a scene, rendered now; copied to `kept_picture` if that is given."""
     with processes.Scratch(scene) as scratch:
-        output = scratch.folder / "reference_picture.png"
+        output = scratch.folder / PICTURE
         command = [binary, f"+I{scene.path.name}", f"+O{output.name}", *COMMON_OPTIONS,
-                   *DURER_STREAMS, *options]
+                   *DURER_STREAMS, *scene.options, *options]
         result = processes.run(command, scratch.folder, cpu_limit, scratch.root, nice=nice,
                                memory_limit=DURER_MEMORY_LIMIT)
-        drawn = result.code == 0 and output.exists()
-        path = keep(output, kept_picture) if drawn else None
+        picture = drawn_picture(scratch.folder)
+        drawn = result.code == 0 and picture is not None
+        path = keep(picture, kept_picture) if drawn else None
     error = ""
     if result.crashed:
         error = processes.signal_name(result.code)

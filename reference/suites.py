@@ -15,6 +15,7 @@ class Scene:
     suite: str
     name: str      # below the suite's root, without ".pov": "textures/patterns/agate"
     path: Path
+    options: tuple = ()   # without which povray does not render it: those of one frame of an animation
 
     @property
     def label(self):
@@ -45,6 +46,7 @@ class Survey:
     random: bool       # povray disagrees with itself
     povray_cpu: float
     note: str          # povray's own first error line where it does not render
+    options: tuple     # of the frame that is drawn where povray renders the scene only as a frame
 
 
 def find_scenes(words, name_filter=""):
@@ -75,8 +77,12 @@ def scenes_of(word):
 
 
 def below(suite, root, folder):
-    return [Scene(suite, str(path.relative_to(root).with_suffix("")), path)
-            for path in sorted((root / folder).rglob("*.pov"))]
+    survey = read_survey(suite)
+    scenes = []
+    for path in sorted((root / folder).rglob("*.pov")):
+        name = str(path.relative_to(root).with_suffix(""))
+        scenes.append(Scene(suite, name, path, survey[name].options if name in survey else ()))
+    return scenes
 
 
 def survey_path(suite):
@@ -89,5 +95,6 @@ def read_survey(suite):
         return {}
     with open(path, newline="") as file:
         return {row["scene"]: Survey(row["renders"], row["random"] == "yes",
-                                     float(row["povray_cpu_160"] or 0), row["note"])
+                                     float(row["povray_cpu_160"] or 0), row["note"],
+                                     tuple(row["options"].split()))
                 for row in csv.DictReader(file, delimiter="\t")}

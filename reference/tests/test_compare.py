@@ -9,7 +9,10 @@ from pathlib import Path
 
 REFERENCE = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(REFERENCE))
+import animations
+import grades
 import known_differences
+import renderers
 import report
 import suites
 
@@ -78,6 +81,56 @@ class Compare(unittest.TestCase):
         self.assertIn("unsupported -> crash", worse.stdout)
 
 
+class Frames(unittest.TestCase):
+    """Scenes that povray renders only as a frame of an animation."""
+    def setUp(self):
+        self.holder = tempfile.TemporaryDirectory()
+        self.scene = Path(self.holder.name) / "scene" / "shelf.pov"
+        self.scene.parent.mkdir()
+        self.scene.write_text("#declare Colors = array[5] {rgb 1, rgb 1, rgb <0, 1, 0>, rgb 1, rgb 1}\n"
+                              + SCENE.replace("rgb <1, 0.5, 0.2>", "Colors[frame_number - 1]"))
+
+    def tearDown(self):
+        self.holder.cleanup()
+
+    def write_ini(self, text):
+        self.scene.with_suffix(".ini").write_bytes(text)
+
+    def test_ini_beside_the_scene_names_the_frames(self):
+        self.assertEqual(animations.frame_options(self.scene), ())
+        self.write_ini(b"+w200 ; not these\r\nInitial_Frame=1\r\n;Final_Frame=9\r\nFinal_Frame= 4\r\n"
+                       b"Initial_Clock=0\r\nFinal_Clock=2.5\r\n")
+        self.assertEqual(animations.frame_options(self.scene),
+                         ("+KFI1", "+KFF4", "+KI0", "+KF2.5", "+SF2", "+EF2"))
+        self.write_ini(b"Initial_Frame=1\nFinal_Frame=\nInitial_Clock=0\n")
+        self.assertEqual(animations.frame_options(self.scene), ())
+
+    def test_the_frame_is_the_picture(self):
+        scene = suites.Scene("file", "shelf", self.scene)
+        still = renderers.run_povray(scene, ("+W8", "+H6"), 30, 10,
+                                     self.scene.parent / "still.png")
+        self.assertIsNone(still.path)
+        self.write_ini(b"Initial_Frame=1\nFinal_Frame=5\n")
+        framed = suites.Scene("file", "shelf", self.scene, animations.frame_options(self.scene))
+        self.assertNotEqual(framed.options, ())
+        picture = renderers.run_povray(framed, ("+W8", "+H6"), 30, 10,
+                                       self.scene.parent / "frame.png")
+        self.assertIsNotNone(picture.path, picture.error)
+        red, green, blue = grades.read_pixels(picture.path)[3, 4]
+        self.assertEqual((red, blue), (0, 0))
+        self.assertGreater(green, 50)
+
+    def test_survey_draws_as_frames_only_what_needs_it(self):
+        survey = suites.read_survey("examples")
+        framed = {scene.name: scene for scene in suites.find_scenes(["examples"]) if scene.options}
+        self.assertEqual(set(framed), {name for name, entry in survey.items() if entry.options})
+        for scene in framed.values():
+            self.assertEqual(survey[scene.name].renders, "yes")
+            self.assertEqual(scene.options, animations.frame_options(scene.path))
+        self.assertIn("portfolio/t_woods", framed)
+        self.assertNotIn("portfolio/o_shapes", framed)
+
+
 class Scenes(unittest.TestCase):
     def test_hash_depends_on_includes_but_not_on_neighbours(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -98,7 +151,7 @@ class Scenes(unittest.TestCase):
         names = {scene.name for scene in suites.find_scenes(["examples"])}
         survey = suites.read_survey("examples")
         self.assertEqual(set(survey), names)
-        self.assertGreater(sum(entry.renders == "yes" for entry in survey.values()), 370)
+        self.assertGreater(sum(entry.renders == "yes" for entry in survey.values()), 385)
 
     def test_known_differences_are_well_formed(self):
         known = known_differences.read()

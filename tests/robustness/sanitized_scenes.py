@@ -1,7 +1,8 @@
 """Every scene under a sanitizer: no report. The preset asan looks for leaks, too; under the preset
 tsan four threads share small blocks.
 
-Registered in these presets only. Pictures are small, every third with antialiasing.
+Registered in these presets only. Pictures are small, every third with antialiasing; a scene that
+renders only as a frame of an animation is rendered as one.
 
     sanitized_scenes.py address|thread DURER FOLDER... [--filter PART OF A NAME] [--every N]
                         [--size WxH] [--jobs N] [--logs FOLDER] [--repeat N]
@@ -19,8 +20,12 @@ from pathlib import Path
 SECONDS = 600
 REPORT = re.compile(r"(?:ERROR|WARNING): \w+Sanitizer|runtime error: |Assertion ")
 REPORT_LENGTH = 6000
+ERROR = 1
 NOT_SUPPORTED = 3
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent.parent / "reference"))
+import animations
+
 # The thread-local blocks of libraries that are loaded late (OpenImageIO's) are not followed: the leak
 # check of g++ 12 mistakes their places and crashes there ("LeakSanitizer has encountered a fatal error").
 ENVIRONMENTS = {
@@ -32,12 +37,12 @@ ENVIRONMENTS = {
 OPTIONS = {"address": ("+WT1",), "thread": ("+WT4", "+BS8")}
 
 
-def render(arguments, scene, antialias, folder):
+def render(arguments, scene, antialias, folder, frame=()):
     """Exit status and report of a run (None: no report)."""
     width, height = arguments.size.split("x")
     options = [f"+W{width}", f"+H{height}", "-D", "-GD", "-GR", "-GS",
                f"+O{folder}/picture.png", *OPTIONS[arguments.sanitizer],
-               *(("+A0.3", "+AM2") if antialias else ("-A",))]
+               *(("+A0.3", "+AM2") if antialias else ("-A",)), *frame]
     environment = dict(os.environ, **ENVIRONMENTS[arguments.sanitizer])
     try:
         done = subprocess.run([arguments.durer, scene.name, *options], cwd=scene.parent,
@@ -47,6 +52,8 @@ def render(arguments, scene, antialias, folder):
         return None, f"not done after {SECONDS} s"
     messages = done.stderr.decode("latin-1")
     report = REPORT.search(messages)
+    if done.returncode == ERROR and not report and not frame and animations.frame_options(scene):
+        return render(arguments, scene, antialias, folder, animations.frame_options(scene))
     if arguments.logs and (report or done.returncode not in (0, NOT_SUPPORTED)):
         name = "-".join(scene.parts[-2:]) + f"-{arguments.sanitizer}-{os.getpid()}"
         (arguments.logs / f"{name}-{time.monotonic_ns()}.log").write_text(
