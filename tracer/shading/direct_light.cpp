@@ -90,17 +90,18 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
 }
 
 void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ray,
-                               ArrivingLight& arriving, RayCounts& counts) const {
+                               const LightDirection& to_light, RGB& color,
+                               RayCounts& counts) const {
   const LightNode& node = scene_.lights[index].node();
   if (scene_.options.quality < 4 || (node.shadowless && !node.projected_through)) return;
   if (ray.level > scene_.scene.settings.max_trace_level) {
-    arriving.color = RGB(0.0f);
+    color = RGB(0.0f);
     return;
   }
   if (node.area && scene_.options.quality >= 5) {
-    arriving.color = area_shadow(index, point, ray, arriving.color, counts);
+    color = area_shadow(index, point, ray, color, counts);
   } else {
-    trace_shadow(index, point, arriving.direction, ray, arriving.color, counts);
+    trace_shadow(index, point, to_light, ray, color, counts);
   }
 }
 

@@ -7,9 +7,9 @@
 
 namespace durer {
 
-// The light of one source at a point, after cone, distance and shadows.
+// The light of one source at a point, after cone and distance, before shadows.
 struct ArrivingLight {
-  RGB color{0.0f};  // black: nothing arrives
+  RGB color{0.0f};
   LightDirection direction;
 };
 
@@ -17,11 +17,11 @@ class DirectLight {
  public:
   explicit DirectLight(const ShadingScene& scene) : scene_(scene) {}
 
-  // Direction and unshadowed colour of 9.1 and 9.2.
-  ArrivingLight unshadowed(int index, const Vec3& point) const {
+  // Direction and colour of 9.1 and 9.2. Into a place that stays: a copy of what was just written by
+  // components waits for them.
+  void find_unshadowed(int index, const Vec3& point, ArrivingLight& result) const {
     const Light& light = scene_.lights[index];
     const LightNode& node = light.node();
-    ArrivingLight result;
     result.direction = light.direction_from(point, node.location);
     // With area_illumination each sample is attenuated by itself, later.
     const bool per_sample =
@@ -29,11 +29,11 @@ class DirectLight {
     const double attenuation =
         per_sample ? 1 : light.attenuation(point, result.direction);
     result.color = node.color * static_cast<float>(attenuation);
-    return result;
   }
-  // Takes from `arriving` what lies between point and light. `ray` is the ray that saw the point.
-  void apply_shadow(int light, const Vec3& point, const TracedRay& ray, ArrivingLight& arriving,
-                    RayCounts& counts) const;
+  // Takes from `color` what lies between point and light; black: nothing arrives. `ray` is the ray
+  // that saw the point.
+  void apply_shadow(int light, const Vec3& point, const TracedRay& ray,
+                    const LightDirection& to_light, RGB& color, RayCounts& counts) const;
 
  private:
   // Follows one shadow ray from the point to `center`; multiplies color.

@@ -258,6 +258,8 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
   sum += emission;
   if (observer_) [[unlikely]] report(ray, ContributionKind::emission, filter * emission);
   if (!layer.is_lit) return sum;
+  // Of a clear layer only highlights are seen.
+  if (opacity == 0 && !layer.is_lit_when_clear && !observer_ && (base * 0.0f).is_black()) return sum;
   int place = 0;
   for (const int light : scene_.lights_of(*hit.surface.object)) {
     const RGB direct =
@@ -379,7 +381,11 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   const Light& light = scene_.lights[index];
   const LightNode& node = light.node();
   const Vec3& point = hit.surface.point;
-  ArrivingLight arriving = direct_light_.unshadowed(index, point);
+  const bool remembers = hit.lights && place < ShadowedLights::kMost;
+  const bool is_new = !remembers || !hit.lights->knows_unshadowed(place);
+  Uncleared<ArrivingLight> own;
+  ArrivingLight& arriving = remembers ? hit.lights->unshadowed(place) : own.value;
+  if (is_new) direct_light_.find_unshadowed(index, point, arriving);
   if (is_dark(arriving.color)) return RGB(0.0f);
 
   // Which side of the surface does the light see?
@@ -423,15 +429,15 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
     }
   }
 
-  const bool remembers = hit.lights && place < ShadowedLights::kMost;
+  RGB color = arriving.color;
   if (remembers && hit.lights->knows(place)) {
-    arriving.color = hit.lights->color(place);
+    color = hit.lights->color(place);
   } else {
-    direct_light_.apply_shadow(index, point, ray, arriving, counts);
-    if (remembers) hit.lights->remember(place, arriving.color);
+    direct_light_.apply_shadow(index, point, ray, arriving.direction, color, counts);
+    if (remembers) hit.lights->remember(place, color);
   }
-  if (observer_) [[unlikely]] observer_->light_tested(ray, index, point, arriving.color);
-  if (is_dark(arriving.color)) return RGB(0.0f);
+  if (observer_) [[unlikely]] observer_->light_tested(ray, index, point, color);
+  if (is_dark(color)) return RGB(0.0f);
 
   RGB sum(0.0f);
   if (from_each_sample) {
@@ -439,7 +445,7 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
     const AreaLightGrid grid(light, point);
     const uint32_t purpose = kPurposeAreaIllumination + 16 * static_cast<uint32_t>(index);
     const int cells = node.size1 * node.size2;
-    const RGB part = arriving.color * (1.0f / static_cast<float>(cells));
+    const RGB part = color * (1.0f / static_cast<float>(cells));
     for (int first = 0; first < cells; first += AreaSamples::kCount) {
       AreaSamples samples;
       for (int k = 0; k < AreaSamples::kCount; ++k) {
@@ -463,7 +469,7 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
       }
     }
   } else {
-    sum = share * arriving.color;
+    sum = share * color;
   }
 
   if (finish.irid.amount > 0) {

@@ -34,16 +34,24 @@ class WhittedIntegrator : public Integrator {
   class ShadowedLights {
    public:
     static constexpr int kMost = 8;
-    bool knows(int place) const { return is_known_ >> place & 1; }
+    // Before shadows: to be filled in by who asks first.
+    bool knows_unshadowed(int place) const { return unshadowed_known_ >> place & 1; }
+    ArrivingLight& unshadowed(int place) {
+      unshadowed_known_ |= 1u << place;
+      return unshadowed_[place].value;
+    }
+    // After shadows.
+    bool knows(int place) const { return color_known_ >> place & 1; }
     const RGB& color(int place) const { return color_[place].value; }
     void remember(int place, const RGB& color) {
-      is_known_ |= 1u << place;
+      color_known_ |= 1u << place;
       color_[place].emplace(color);
     }
 
    private:
+    Uncleared<ArrivingLight> unshadowed_[kMost];
     Uncleared<RGB> color_[kMost];
-    uint32_t is_known_ = 0;
+    uint32_t unshadowed_known_ = 0, color_known_ = 0;
   };
   // What all textures of one hit share.
   struct SurfaceHit {

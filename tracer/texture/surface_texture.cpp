@@ -99,6 +99,7 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
   layer.is_mirror = !finish.reflection_max.is_black() || !finish.reflection_min.is_black();
   layer.is_lit = finish.diffuse != 0 || finish.diffuse_back != 0 || finish.specular != 0 ||
                  finish.phong != 0;
+  layer.is_lit_when_clear = finish.phong > 0 || finish.specular > 0 || finish.crand > 0;
   layer.highlight_exponent = finish.roughness != 0 ? 1 / finish.roughness : 0;
   return layer;
 }

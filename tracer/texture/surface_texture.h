@@ -51,6 +51,7 @@ struct TextureLayer {
   float highlight_exponent = 20;  // 1/roughness
   bool is_mirror = false;         // the finish reflects rays
   bool is_lit = true;             // the finish answers to lights
+  bool is_lit_when_clear = true;  // also where the pigment lets all light through
 };
 
 struct CompiledTexture;
