@@ -16,6 +16,11 @@ union Uncleared {
   T& emplace(Arguments&&... arguments) {
     return *new (&value) T(std::forward<Arguments>(arguments)...);
   }
+  // From what a function returns, without a copy.
+  template <typename Make>
+  T& emplace_result(Make&& make) {
+    return *new (&value) T(make());
+  }
 
   T value;
 };

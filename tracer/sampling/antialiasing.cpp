@@ -48,15 +48,14 @@ EdgeSamples::Samples bordering_samples(EdgeSamples::Samples of_neighbour, int co
 }
 
 // One sample for each pixel of a row from (x, y) on, neighbours together.
-void sample_row(const PixelSampler& sampler, int x, int y, std::vector<PixelColor>& colors,
+void sample_row(const PixelSampler& sampler, int x, int y, int width, PixelColor* colors,
                 RenderStatistics& statistics) {
   constexpr int kTogether = 4;
-  const int width = static_cast<int>(colors.size());
   for (int first = 0; first < width; first += kTogether) {
     Vec2 places[kTogether];
     const int count = std::min(kTogether, width - first);
     for (int i = 0; i < count; ++i) places[i] = {x + first + i, y};
-    sampler.sample_together(places, count, colors.data() + first, statistics);
+    sampler.sample_together(places, count, colors + first, statistics);
   }
 }
 
@@ -124,11 +123,10 @@ bool SampleContrast::differ_exactly(const PixelColor& a, const PixelColor& b) co
 void render_block_without_antialiasing(const PixelSampler& sampler, const PixelWindow& block,
                                        const PixelWindow& window, Framebuffer& framebuffer,
                                        RenderStatistics& statistics) {
-  for (int y = std::max(block.top, window.top); y < std::min(block.bottom, window.bottom); ++y) {
-    for (int x = std::max(block.left, window.left); x < std::min(block.right, window.right);
-         ++x) {
-      framebuffer.at(x, y) = sampler.sample(x, y, statistics);
-    }
+  const PixelWindow wanted = intersection(block, window);
+  if (wanted.is_empty()) return;
+  for (int y = wanted.top; y < wanted.bottom; ++y) {
+    sample_row(sampler, wanted.left, y, wanted.width(), &framebuffer.at(wanted.left, y), statistics);
   }
 }
 
@@ -187,7 +185,7 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
   lower_edge.reserve(top.size());
   for (int y = block.top; y < block.bottom; ++y) {
     current[0] = {left[y - block.top], true};
-    sample_row(sampler, block.left, y, row, statistics);
+    sample_row(sampler, block.left, y, width - 1, row.data(), statistics);
     for (int i = 1; i < width; ++i) {
       const int x = block.left + i - 1;
       Cell& cell = current[i];

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "tracer/intersect/bvh_beam.h"
+#include "tracer/math/uncleared.h"
 #include "tracer/world/pattern_services.h"
 
 namespace durer {
@@ -12,6 +13,10 @@ constexpr double kEpsilon = 1e-10;
 
 uint64_t path_of(double x, double y) {
   return extend_path(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y));
+}
+
+PixelColor color_of(const RayResult& seen) {
+  return {seen.color, seen.transmit};
 }
 
 }  // namespace
@@ -48,8 +53,8 @@ void PixelSampler::interiors_at(const Vec3& point, InteriorList& list) const {
   for (int i = 0; i < count; ++i) list.append(found[i]);
 }
 
-PixelColor PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
-                               const BvhBeam* beam) const {
+RayResult PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
+                              const BvhBeam* beam) const {
   TracedRay traced;
   traced.origin = ray.origin;
   traced.direction = ray.direction;
@@ -63,8 +68,7 @@ PixelColor PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& 
     traced.interiors = interiors_of_first_ray_;
   }
   ++statistics.rays.primary;
-  const RayResult result = integrator_.trace(traced, statistics.rays);
-  return {result.color, result.transmit};
+  return integrator_.trace(traced, statistics.rays);
 }
 
 PixelColor PixelSampler::sample(double x, double y, RenderStatistics& statistics) const {
@@ -75,18 +79,19 @@ PixelColor PixelSampler::sample(double x, double y, RenderStatistics& statistics
   if (focal_blur_) {
     return focal_blur_->sample(x, y, [&](double sx, double sy, const Vec2& lens, int number) {
       if (!camera_.generate_lens_ray(sx + 0.5, sy + 0.5, lens, ray)) return none;
-      return trace(ray, extend_path(path, static_cast<uint64_t>(number)), statistics);
+      return color_of(trace(ray, extend_path(path, static_cast<uint64_t>(number)), statistics));
     });
   }
   if (camera_.rays_per_pixel() == 1) {
-    return camera_.generate_ray(x + 0.5, y + 0.5, 0, ray) ? trace(ray, path, statistics) : none;
+    return camera_.generate_ray(x + 0.5, y + 0.5, 0, ray) ? color_of(trace(ray, path, statistics))
+                                                          : none;
   }
   // The mean of those rays that exist.
   PixelColor sum;
   int count = 0;
   for (int i = 0; i < camera_.rays_per_pixel(); ++i) {
     if (!camera_.generate_ray(x + 0.5, y + 0.5, i, ray)) continue;
-    const PixelColor seen = trace(ray, extend_path(path, static_cast<uint64_t>(i)), statistics);
+    const RayResult seen = trace(ray, extend_path(path, static_cast<uint64_t>(i)), statistics);
     sum.color += seen.color;
     sum.transmit += seen.transmit;
     ++count;
@@ -115,11 +120,15 @@ void PixelSampler::sample_together(const Vec2* places, int count, PixelColor* co
   }
   BvhBeam beam;
   const bool is_beam = rays > 1 && scene_.world->make_beam(ray, rays, max_depth_, beam);
+  // Copied when all are there: a copy of what was just written by components waits for them.
+  Uncleared<RayResult> seen[kMostTogether];
   for (int i = 0; i < rays; ++i) {
     const Vec2& place = places[number[i]];
-    colors[number[i]] =
-        trace(ray[i], path_of(place.x, place.y), statistics, is_beam ? &beam : nullptr);
+    seen[i].emplace_result([&] {
+      return trace(ray[i], path_of(place.x, place.y), statistics, is_beam ? &beam : nullptr);
+    });
   }
+  for (int i = 0; i < rays; ++i) colors[number[i]] = color_of(seen[i].value);
 }
 
 }  // namespace durer

@@ -24,8 +24,8 @@ class PixelSampler {
                        RenderStatistics& statistics) const;
 
  private:
-  PixelColor trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
-                   const BvhBeam* beam = nullptr) const;
+  RayResult trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
+                  const BvhBeam* beam = nullptr) const;
   void interiors_at(const Vec3& point, InteriorList& list) const;
   void find_interiors_of_first_ray(int width, int height);
 

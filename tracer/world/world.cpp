@@ -57,7 +57,10 @@ struct ClosestSearch {
   HitStack& stack;
   double best;
   double limit;  // hits must be nearer than this
-  ShapeHit hit;  // where top is not negative
+  // The nearest so far, where top is not negative, and room for the next: copies of what was just
+  // written by components would wait for them.
+  ShapeHit hits[2];
+  int nearest = 0;
   int64_t top = -1;
   uint32_t instance = 0;
   ShapeRay straight;  // for shapes without a transform
@@ -83,7 +86,7 @@ struct ClosestSearch {
 
   void test(const SearchItem& item) {
     if (item.hidden & ray.kind) return;
-    ShapeHit candidate;
+    ShapeHit& candidate = hits[1 - nearest];
     uint32_t copy = 0;
     if (item.shape) [[likely]] {
       if (!meets_shape(item, candidate)) return;
@@ -94,13 +97,15 @@ struct ClosestSearch {
         !set.is_tested_first(item.object, static_cast<uint32_t>(top), ray.origin, ray.direction)) {
       return;
     }
-    hit = candidate;
+    nearest = 1 - nearest;
     best = candidate.t;
     // At equal depths the object that is tested first counts.
     limit = just_beyond(best);
     top = item.object;
     instance = copy;
   }
+
+  const ShapeHit& hit() const { return hits[nearest]; }
 
   bool meets_shape(const SearchItem& item, ShapeHit& candidate) {
     bool met;
@@ -127,7 +132,7 @@ struct ClosestSearch {
       ClosestSearch inner(data, inner_set, inner_list, inner_ray, stack, limit);
       inner.run();
       if (inner.top < 0) return false;
-      candidate = inner.hit;
+      candidate = inner.hit();
       copy = static_cast<uint32_t>(object.instance + 1);
       return true;
     }
@@ -239,7 +244,7 @@ Hit as_hit(const ShapeHit& from, uint32_t instance) {
 
 bool found(const ClosestSearch& search, Hit& hit) {
   if (search.top < 0) return false;
-  hit = as_hit(search.hit, search.instance);
+  hit = as_hit(search.hit(), search.instance);
   return true;
 }
 
