@@ -22,9 +22,21 @@ struct BvhWalk {
 };
 
 // A child that waits for its turn, and where the ray enters it.
-struct BvhWaiting {
-  uint32_t child;
-  float near;
+class BvhWaiting {
+ public:
+  BvhWaiting() {}
+  // near >= 0: then bits are in the order of the numbers. One word, because loads of two halves
+  // that were just stored wait for both.
+  BvhWaiting(uint32_t child, float near)
+      : word_(static_cast<uint64_t>(std::bit_cast<uint32_t>(near)) << 32 | child) {}
+  explicit BvhWaiting(uint32_t child) : word_(child) {}
+
+  uint32_t child() const { return static_cast<uint32_t>(word_); }
+  float near() const { return std::bit_cast<float>(static_cast<uint32_t>(word_ >> 32)); }
+  bool is_nearer_than(const BvhWaiting& other) const { return word_ >> 32 < other.word_ >> 32; }
+
+ private:
+  uint64_t word_;
 };
 inline constexpr int kBvhStack = 8 * 64;
 

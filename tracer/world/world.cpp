@@ -332,7 +332,8 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
   const GeometryNode& node = data.geometry.nodes[hit.item];
   const NodeAppearance& appearance = data.appearance[hit.item];
   const ShapeHit shape_hit{hit.t, hit.item, hit.part, hit.barycentric_u, hit.barycentric_v};
-  out.point = origin + hit.t * unit_direction;
+  Vec3 local = origin + hit.t * unit_direction;
+  out.point = local;
   out.object = &data.objects[node.object];
   const Instance* instance = hit.instance ? &data.instances[hit.instance - 1] : nullptr;
   if (instance) {
@@ -341,7 +342,7 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
   }
 
   // Normal and uv in the shape's space.
-  Vec3 local = instance ? instance->transform.inverse_point(out.point) : out.point;
+  if (instance) local = instance->transform.inverse_point(local);
   if (node.transform >= 0) {
     const Transform& transform = data.geometry.transforms[node.transform];
     local = transform.inverse_point(local);
