@@ -41,6 +41,18 @@ float center(const BvhBuildItem& item, int axis) {
 }
 
 // Items that stay together, their box, and the box of twice their centres.
+// An item in registers, as rows: what is stored by halves cannot be loaded as a row at once.
+struct ItemRows {
+  explicit ItemRows(const BvhBuildItem& item)
+      : low(_mm_load_ps(item.low)), high(_mm_load_ps(item.high)) {}
+  void store(BvhBuildItem& item) const {
+    _mm_store_ps(item.low, low);
+    _mm_store_ps(item.high, high);
+  }
+
+  __m128 low, high;
+};
+
 struct Range {
   uint32_t begin, end;
   Box box, centers;
@@ -159,7 +171,10 @@ class Builder {
         ++left.end;
       } else {
         right.extend(item);
-        std::swap(item, boxes_[--right.begin]);
+        BvhBuildItem& last = boxes_[--right.begin];
+        const ItemRows here(item), there(last);
+        here.store(last);
+        there.store(item);
       }
     }
   }
@@ -169,13 +184,13 @@ class Builder {
     const uint32_t begin = left.begin, count = left.count();
     BvhBuildItem* const item = &boxes_[begin];
     for (uint32_t i = 1; i < count; ++i) {
-      const BvhBuildItem moved = item[i];
-      const float place = moved.low[axis] + moved.high[axis];
+      const ItemRows moved(item[i]);
+      const float place = item[i].low[axis] + item[i].high[axis];
       uint32_t j = i;
       for (; j > 0 && item[j - 1].low[axis] + item[j - 1].high[axis] > place; --j) {
-        item[j] = item[j - 1];
+        ItemRows(item[j - 1]).store(item[j]);
       }
-      item[j] = moved;
+      moved.store(item[j]);
     }
     Range after[kExactSize];  // the items from each place on
     Range swept{begin + count, begin + count, {}, {}};
