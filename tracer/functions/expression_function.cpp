@@ -35,7 +35,12 @@ double ExpressionFunction::run(const double* arguments, int depth) const {
                         ? small
                         : static_cast<double*>(__builtin_alloca(
                               static_cast<size_t>(tape_.registers) * sizeof(double)));
-  std::memcpy(r, arguments, static_cast<size_t>(tape_.parameters) * sizeof(double));
+  // Nearly all functions are of three numbers: no call for so few.
+  if (tape_.parameters == 3) {
+    for (int i = 0; i < 3; ++i) r[i] = arguments[i];
+  } else {
+    std::memcpy(r, arguments, static_cast<size_t>(tape_.parameters) * sizeof(double));
+  }
 
   const Instruction* const code = tape_.code.data();
   const Instruction* const end = code + tape_.code.size();

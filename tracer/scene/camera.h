@@ -16,7 +16,7 @@ enum class CameraKind : uint8_t {
 
 struct CameraNode {
   CameraKind kind = CameraKind::perspective;
-  Vec3 location{0}, direction{0, 0, 1}, up{0, 1, 0}, right{1.33f, 0, 0}, sky{0, 1, 0};
+  Vec3 location{0}, direction{0, 0, 1}, up{0, 1, 0}, right{1.33, 0, 0}, sky{0, 1, 0};
   Vec3 look_at{0, 0, 1};
   double angle = 0;  // degrees; 0: not given
   Vec2 spherical_angles{360, 180};

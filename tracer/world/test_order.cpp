@@ -10,7 +10,7 @@ namespace {
 
 // A node holds up to this many without a further split.
 constexpr uint32_t kMostInBundle = 4;
-constexpr float kInfiniteKey = -1e7f;
+constexpr double kInfiniteKey = -1e7;
 
 float upper(const FloatBox& box, int axis) { return box.lower[axis] + box.length[axis]; }
 
@@ -39,21 +39,21 @@ struct FloatRay {
   bool is_zero[3];
 };
 
-// Where the ray enters a box, negative behind its origin; false: it does not meet it.
-bool enters(const FloatBox& box, const FloatRay& ray, float& key) {
-  float enter = -2e10f, leave = 2e10f;
+// Where the ray enters a box, negative behind its origin; false: it does not meet it. The ways to the
+// near corner and along the edge are rounded to single precision, their sum is not.
+bool enters(const FloatBox& box, const FloatRay& ray, double& key) {
+  double enter = -2e10, leave = 2e10;
   for (int i = 0; i < 3; ++i) {
     const float low = box.lower[i], high = upper(box, i), o = ray.origin[i];
     if (ray.is_zero[i]) {
       if (o < low || o > high) return false;
       continue;
     }
-    // The far corner is the near one and a way along the edge.
-    const float lower = (low - o) * ray.inverse[i];
-    const float higher = lower + box.length[i] * ray.inverse[i];
+    const double lower = (low - o) * ray.inverse[i];
+    const double higher = lower + box.length[i] * ray.inverse[i];
     enter = std::max(enter, std::min(lower, higher));
     leave = std::min(leave, std::max(lower, higher));
-    if (leave < 1e-10f || enter > leave) return false;
+    if (leave < 1e-10 || enter > leave) return false;
   }
   key = enter;
   return true;
@@ -64,7 +64,7 @@ class Heap {
  public:
   void clear() { items_.assign(1, {}); }
   bool is_empty() const { return items_.size() == 1; }
-  void push(float key, uint32_t node) {
+  void push(double key, uint32_t node) {
     items_.emplace_back(key, node);
     size_t i = items_.size() - 1;
     for (; i > 1 && items_[i].first < items_[i / 2].first; i /= 2) {
@@ -86,7 +86,7 @@ class Heap {
   }
 
  private:
-  std::vector<std::pair<float, uint32_t>> items_;  // from place 1 on
+  std::vector<std::pair<double, uint32_t>> items_;  // from place 1 on
 };
 
 // How far the walk of a thread's last ray has been followed.
@@ -222,7 +222,7 @@ bool TestOrder::is_tested_first(uint32_t a, uint32_t b, const Vec3& origin,
   thread_local Walk walk;
   const FloatRay ray(origin, direction);
   const auto enter = [&](uint32_t i) {
-    float key = kInfiniteKey;
+    double key = kInfiniteKey;
     if (nodes_[i].is_infinite || enters(nodes_[i].box, ray, key)) walk.heap.push(key, i);
   };
   if (walk.order != number_ || walk.origin != origin || walk.direction != direction) {
