@@ -71,8 +71,8 @@ void Console::status(const std::string& text) {
 }
 
 void Console::diagnostic(const Diagnostic& message) {
-  const bool error = message.severity == Severity::error;
-  if (!error) ++warnings_;
+  const bool error = message.severity >= Severity::error;
+  if (!error && message.severity != Severity::note) ++warnings_;
   std::string text = message.formatted();
   while (!text.empty() && text.back() == '\n') text.pop_back();
   line(error ? Stream::fatal : Stream::warning, text);

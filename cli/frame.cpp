@@ -69,6 +69,14 @@ ParseOptions parse_options(const Options& options, const FrameSettings& frame, C
   if (options.max_array_elements > 0) {
     parse.limits.max_array_elements = static_cast<uint64_t>(options.max_array_elements);
   }
+  if (options.max_objects > 0) {
+    parse.limits.max_objects = static_cast<uint64_t>(options.max_objects);
+  }
+  if (options.max_macro_depth > 0) {
+    parse.limits.max_symbol_tables = options.max_macro_depth;
+    // Each macro has room for some loops and conditionals around the next call.
+    parse.limits.max_nesting = std::max(parse.limits.max_nesting, 4 * options.max_macro_depth);
+  }
   parse.writes.output_folder = folder_of(options.output_name);
   parse.writes.folders = options.writable_folders;
   parse.sink = &console;
@@ -92,12 +100,12 @@ std::string state_identity(const Options& options, const FrameSettings& frame) {
   char text[512];
   std::snprintf(text, sizeof text,
                 "%dx%d window %d %d %d %d quality %d integrator %d antialiasing %d %d %.9g %d %.9g "
-                "%.9g block %d alpha %d clock %.9g frame %d scene %lld %lld",
+                "%.9g block %d alpha %d clock %.9g frame %d scene %lld %lld.%09ld",
                 r.width, r.height, r.window.left, r.window.top, r.window.right, r.window.bottom,
                 r.quality, static_cast<int>(r.integrator), static_cast<int>(r.supersampling),
                 r.grid_samples, r.antialias_threshold, r.antialias_depth, r.jitter_amount,
                 r.antialias_gamma, r.block_size, r.output_alpha ? 1 : 0, frame.clock, frame.number,
-                static_cast<long long>(scene.st_size), static_cast<long long>(scene.st_mtime));
+                static_cast<long long>(scene.st_size), static_cast<long long>(scene.st_mtim.tv_sec), scene.st_mtim.tv_nsec);
   return text;
 }
 
@@ -212,7 +220,11 @@ class FrameRenderer {
   void open_state(StateFile& state, Picture& picture, const std::string& path) {
     if (options_.continue_trace) {
       if (state.load(picture) > 0) return;
-      console_.line(Stream::render, "nothing to continue: the picture is rendered from its start");
+      console_.line(Stream::render,
+                    state.is_file_there()
+                        ? "'" + state_path(path) + "' is of another scene, size or setting, or damaged: "
+                              "the picture is rendered from its start"
+                        : "nothing to continue: the picture is rendered from its start");
     }
     if (!state.create()) {
       fail("cannot write '" + state_path(path) + "': " + std::strerror(errno));

@@ -74,6 +74,13 @@ struct OptionReader::Text {
     while (!at_end() && !is_blank(all[at]) && !std::strchr(stops, all[at])) ++at;
     return all.substr(begin, at - begin);
   }
+  // The name of a setting and = stand here.
+  bool setting_begins() const {
+    size_t end = at;
+    while (end < all.size() && is_name_character(all[end])) ++end;
+    while (end < all.size() && is_blank(all[end])) ++end;
+    return end > at && end < all.size() && all[end] == '=';
+  }
   // A quoted string's inside; the rest of the line if the quote is never closed.
   std::string_view quoted() {
     const char quote = all[at++];
@@ -245,7 +252,19 @@ void OptionReader::read_plain_word(Text& text) {
   if (is_quote(text.peek())) {
     word = text.quoted();
   } else {
+    const size_t begin = text.at;
     word = text.word("[;#\"'");
+    // In an INI file several words are one name, but for settings and switches behind the first.
+    const size_t end = text.at;
+    text.skip_blanks();
+    if (text.from_ini && text.at > end && !text.at_end() && !std::strchr(",;#+-[\"'", text.peek()) &&
+        !text.setting_begins()) {
+      text.at = std::min({text.all.find(';', end), text.all.find('#', end), text.all.size()});
+      word = text.all.substr(begin, text.at - begin);
+      word.resize(word.find_last_not_of(" \t") + 1);
+    } else {
+      text.at = end;
+    }
   }
   const size_t length = word.size();
   if (length >= 4 && equal_ignoring_case(std::string_view(word).substr(length - 4), ".pov")) {

@@ -20,9 +20,10 @@ std::string upper(std::string_view text) {
 }  // namespace
 
 bool read_toggle(std::string_view text) {
+  if (text.empty()) return true;
   for (const char* word : {"on", "true", "yes", "1"}) {
     const size_t length = std::min(text.size(), std::strlen(word));
-    if (length > 0 && equal_ignoring_case(text.substr(0, length), {word, length})) return true;
+    if (equal_ignoring_case(text.substr(0, length), {word, length})) return true;
   }
   return false;
 }

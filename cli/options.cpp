@@ -203,6 +203,8 @@ void resolve_commands(const OptionValues& values, Options& options) {
   options.writable_folders = values.list(Option::allow_write);
   options.max_loop_turns = values.number(Option::max_loop_turns, 0);
   options.max_array_elements = values.number(Option::max_array_elements, 0);
+  options.max_objects = values.number(Option::max_objects, 0);
+  options.max_macro_depth = std::clamp(values.integer(Option::max_macro_depth, 0), 0, 1'000'000);
   options.max_memory = values.number(Option::max_memory, 0);
 }
 

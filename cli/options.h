@@ -70,7 +70,8 @@ struct Options {
   // safety
   bool allow_shell = false;
   std::vector<std::string> writable_folders;
-  double max_loop_turns = 0, max_array_elements = 0;  // 0: the parser's own limit
+  double max_loop_turns = 0, max_array_elements = 0, max_objects = 0;  // 0: the parser's own limit
+  int max_macro_depth = 0;
   double max_memory = 0;                              // megabytes; 0: what the machine has
   std::array<ShellCommand, static_cast<int>(ShellEvent::count)> commands;
 };

@@ -17,6 +17,8 @@
 #include "cli/output_name.h"
 #include "cli/setting_notes.h"
 #include "cli/shell.h"
+#include "parser/diagnostics.h"
+#include "parser/source.h"
 #include "tracer/system/thread_limit.h"
 #include "tracer/scene/not_supported.h"
 
@@ -65,6 +67,29 @@ std::string find_scene(const Options& options) {
   return "";
 }
 
+std::string line_of_file(const std::string& path, int line) {
+  std::string text;
+  if (!read_file(path, UINT32_MAX, text)) return {};
+  NameTable names;
+  const uint32_t end = static_cast<uint32_t>(text.size());
+  SourceFile file(path, std::move(text), names);
+  file.line_of(end);
+  return file.line_text(line);
+}
+
+// The place may be unknown: that of a scene without further ado.
+Diagnostic diagnostic_of(const NotSupported& missing, const std::string& scene) {
+  const SourcePosition& place = missing.position;
+  Diagnostic diagnostic;
+  diagnostic.severity = Severity::not_supported;
+  diagnostic.text = missing.what();
+  diagnostic.file = place.file ? *place.file : scene;
+  diagnostic.line = place.line;
+  diagnostic.column = place.column;
+  if (place.line > 0) diagnostic.source_line = line_of_file(diagnostic.file, place.line);
+  return diagnostic;
+}
+
 // Ends the run with this status; messages are out already.
 struct EndOfRun {
   int status;
@@ -90,12 +115,13 @@ class Run {
     } catch (const FrameFailure&) {
       return finish(failed(kFailure));
     } catch (const NotSupported& missing) {
-      std::string place = missing.position.file ? *missing.position.file : options_.input_file;
-      if (missing.position.line > 0) place += ":" + std::to_string(missing.position.line);
-      console_.line(Stream::fatal, place + ": not supported yet: " + missing.what());
+      console_.diagnostic(diagnostic_of(missing, options_.input_file));
       return finish(failed(kNotSupported));
     } catch (const std::bad_alloc&) {
       console_.line(Stream::fatal, "durer: out of memory (--max-memory MB sets the limit)");
+      return finish(failed(kFailure));
+    } catch (const std::runtime_error& failure) {  // of a file that was there while the scene was read
+      console_.line(Stream::fatal, std::string("durer: error: ") + failure.what());
       return finish(failed(kFailure));
     }
   }

@@ -4,8 +4,10 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 namespace durer {
 namespace {
@@ -25,6 +27,30 @@ bool read_all(int file, void* to, size_t size) {
     size -= static_cast<size_t>(got);
   }
   return true;
+}
+
+struct BlockHead {
+  PixelWindow window;
+  uint64_t checksum;
+};
+
+// FNV-1a over words of 8 bytes: finds what a disk or an editor damaged.
+uint64_t checksum_of(const Framebuffer& block) {
+  uint64_t sum = 14695981039346656037u;
+  const char* next = reinterpret_cast<const char*>(block.pixels());
+  for (size_t left = block.bytes(); left > 0;) {
+    uint64_t word = 0;
+    const size_t size = std::min(left, sizeof word);
+    std::memcpy(&word, next, size);
+    sum = (sum ^ word) * 1099511628211u;
+    next += size;
+    left -= size;
+  }
+  const PixelWindow& window = block.window();
+  for (const int edge : {window.left, window.top, window.right, window.bottom}) {
+    sum = (sum ^ static_cast<uint64_t>(edge)) * 1099511628211u;
+  }
+  return sum;
 }
 
 bool has_head(int file, const std::string& head) {
@@ -61,11 +87,13 @@ int64_t StateFile::load(Picture& picture) {
   }
   int64_t pixels = 0;
   off_t good_end = lseek(file_, 0, SEEK_CUR);
-  PixelWindow window;
-  while (read_all(file_, &window, sizeof window) && block_fits(window, picture)) {
-    // A block whose end is missing is rendered again.
+  BlockHead head;
+  while (read_all(file_, &head, sizeof head) && block_fits(head.window, picture)) {
+    // A block whose end is missing or that is damaged is rendered again, and all behind it.
+    const PixelWindow& window = head.window;
     Framebuffer block(window);
     if (!read_all(file_, block.pixels(), block.bytes())) break;
+    if (checksum_of(block) != head.checksum) break;
     picture.store(block);
     loaded_.insert({window.left, window.top});
     pixels += static_cast<int64_t>(window.width()) * window.height();
@@ -82,14 +110,16 @@ bool StateFile::create() {
                            static_cast<ssize_t>(identity_.size());
 }
 
+bool StateFile::is_file_there() const { return access(path_.c_str(), F_OK) == 0; }
+
 bool StateFile::add(const Framebuffer& block) {
   const std::lock_guard lock(mutex_);
   if (!good_) return true;
-  PixelWindow window = block.window();
-  const iovec parts[2] = {{&window, sizeof window},
+  BlockHead head{block.window(), checksum_of(block)};
+  const iovec parts[2] = {{&head, sizeof head},
                           {const_cast<PixelColor*>(block.pixels()), block.bytes()}};
   const off_t before = lseek(file_, 0, SEEK_CUR);
-  const ssize_t whole = static_cast<ssize_t>(sizeof window + block.bytes());
+  const ssize_t whole = static_cast<ssize_t>(sizeof head + block.bytes());
   errno = ENOSPC;  // what a short write without an error means
   if (writev(file_, parts, 2) == whole) return true;
   good_ = false;

@@ -1,9 +1,9 @@
 // The finished blocks of a render, kept beside the picture so that it can be continued (+C).
 //
 // Layout: a text line with all that the picture depends on here (size, window, antialiasing, scene),
-// then records: left, top, right, bottom as int32, followed by the pixels row by row. Each block is
-// handed to the system as soon as it is finished: whoever kills the program loses the blocks in
-// hand. Read only by the same version of the program on the same kind of machine.
+// then records: left, top, right, bottom as int32 and a checksum of 64 bits, followed by the pixels row
+// by row. Each block is handed to the system as soon as it is finished: whoever kills the program loses
+// the blocks in hand. Read only by the same version of the program on the same kind of machine.
 #pragma once
 
 #include <mutex>
@@ -25,6 +25,8 @@ class StateFile {
 
   // Whether there is a file of this identity: the picture is not finished.
   bool exists() const;
+  // Whether there is a file of that name, perhaps of another picture.
+  bool is_file_there() const;
   // Opens it and reads its blocks into the picture. Returns their number of pixels; 0: there is
   // nothing to continue. Throws std::runtime_error if the picture cannot hold them.
   int64_t load(Picture& picture);

@@ -15,7 +15,8 @@ using Kind = Conditional::Kind;
 void Parser::State::open_conditional(Kind kind, uint32_t start) {
   if (static_cast<int>(conditionals.size()) >= options.limits.max_nesting) {
     error("too many nested conditionals, loops and macro calls (limit " +
-          std::to_string(options.limits.max_nesting) + ")");
+              std::to_string(options.limits.max_nesting) + ")",
+          "--max-macro-depth N raises it");
   }
   Conditional& conditional = conditionals.emplace_back();
   conditional.kind = kind;

@@ -10,9 +10,11 @@
 namespace durer {
 
 enum class Severity : uint8_t {
+  note,            // POV-Ray says nothing
   warning,         // POV-Ray's "Parse Warning"
   possible_error,  // POV-Ray's "Possible Parse Error"
   error,
+  not_supported,   // read, but not rendered yet (tracer/scene/not_supported.h)
 };
 
 // A macro call or #include on the way to the place of a message.

@@ -127,6 +127,9 @@ void Parser::State::do_declare(bool local) {
       const FlagScope elements(resolve_elements, true);
       parse_target_element(target);
       is_element = true;
+      if (readable(target)->kind() == ValueKind::function) {
+        error("this element holds a function already", "#undef it first");
+      }
       // #local leaves the elements of arrays of outer scopes alone that are set already.
       discarded = local && !entry->alias && entry->scope != scope && readable(target)->is_set();
     } else {
@@ -166,6 +169,10 @@ void Parser::State::do_declare(bool local) {
     if (!peek().is(Symbol::semicolon)) check_semicolon(true);
   }
   if (is_element) {
+    if (right.value.kind() == ValueKind::array) {
+      const FlagScope off(directives_live, false);
+      peek();
+    }
     if (!discarded) store(target, std::move(right.value));
   } else if (Value* const slot = writable(target)) {
     // Not by store(): through a parameter even an element of an array may change its kind.
@@ -266,8 +273,7 @@ void Parser::State::do_include() {
           " deep: does '" + name + "' include itself?");
   }
   if (static_cast<int>(symbols.nested()) >= options.limits.max_symbol_tables) {
-    error("macros and includes are nested too deeply (limit " +
-          std::to_string(options.limits.max_symbol_tables) + ")");
+    error_nested_macros();
   }
   const std::string path = find_file(name, FileType::include, true);
   if (path.empty()) {

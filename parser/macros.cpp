@@ -122,8 +122,7 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
     --directive_depth;
   }
   if (static_cast<int>(symbols.nested()) >= options.limits.max_symbol_tables) {
-    error("macros and includes are nested too deeply (limit " +
-          std::to_string(options.limits.max_symbol_tables) + ")");
+    error_nested_macros();
   }
   open_conditional(Conditional::Kind::macro_call, call);
   conditionals.back().frame = frames.size();
@@ -131,9 +130,7 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
   const uint32_t scope = symbols.innermost();
   for (size_t i = 0; i < count; ++i) {
     const Name parameter = macro->parameters[i];
-    Entry* entry = symbols.find(parameter);
-    if (entry && entry->scope == scope) symbols.remove(*entry);  // duplicates: the last one wins
-    Entry& fresh = symbols.add(parameter, scope);
+    Entry& fresh = symbols.add(parameter, scope);  // hides one of the same name before it
     if (arguments[i].is_reference) {
       symbols.make_alias(fresh, arguments[i].reference);
     } else {

@@ -148,6 +148,12 @@ void Parser::State::error_undeclared(Name name) {
   error(quoted(name) + " is not declared", suggestion(name));
 }
 
+void Parser::State::error_nested_macros() {
+  error("macros and includes are nested too deeply (limit " +
+            std::to_string(options.limits.max_symbol_tables) + ", as in POV-Ray)",
+        "--max-macro-depth N raises it, if the macros do not call each other without end");
+}
+
 void Parser::State::error_in_data(const std::string& path, const std::string& text, uint32_t offset,
                                   const std::string& what) {
   SourceFile data(path, text, names);
@@ -213,10 +219,9 @@ std::string Diagnostic::formatted() const {
   if (!file.empty()) {
     out += file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
   }
-  out += severity == Severity::error            ? "error: "
-         : severity == Severity::possible_error ? "possible error: "
-                                                : "warning: ";
-  out += text + "\n";
+  static constexpr const char* kWords[] = {"note", "warning", "possible error", "error",
+                                           "not supported yet"};
+  out += kWords[static_cast<size_t>(severity)] + std::string(": ") + text + "\n";
   if (!source_line.empty()) {
     // A window of the line around the caret, tabs and control characters as spaces.
     constexpr size_t kWidth = 96;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "parser/parser_state.h"
+#include "parser/part_count.h"
 #include "parser/statements/statements.h"
 #include "parser/world_queries.h"
 #include "tracer/scene/not_supported.h"
@@ -66,11 +67,36 @@ void open_main_file(Parser::State& state) {
   }
 }
 
+void check_object_count(Parser::State& state) {
+  PartCount parts;
+  double total = 0;
+  for (const ObjectPtr& object : state.scene.objects) {
+    total += parts.of(*object);
+    if (total <= static_cast<double>(state.options.limits.max_objects)) continue;
+    Diagnostic diagnostic;
+    char text[120];
+    std::snprintf(text, sizeof text, "with this the scene has %.3g objects, copies counted; the limit is %.3g",
+                  total, static_cast<double>(state.options.limits.max_objects));
+    diagnostic.text = text;
+    diagnostic.hint = "--max-objects N raises it";
+    const SourcePosition& place = object->position;
+    for (const auto& file : state.all_files) {
+      if (file->shared_name() != place.file) continue;
+      diagnostic.file = file->name();
+      diagnostic.line = place.line;
+      diagnostic.column = place.column;
+      diagnostic.source_line = file->line_text(place.line);
+    }
+    throw ParseError(std::move(diagnostic));
+  }
+}
+
 // spec/language.md 27, the core's part.
 void finish(Parser::State& state) {
   state.last_file = nullptr;  // these messages are about no place
   state.behind_last = false;
   Scene& scene = state.scene;
+  check_object_count(state);
   if (scene.objects.empty()) state.message(Severity::warning, "the scene has no objects");
   if (!state.experimental.empty()) {
     std::string text = "this scene uses features that POV-Ray calls experimental:";

@@ -23,6 +23,7 @@ struct ParserLimits {
   int max_expression_depth = 1000;          // parentheses, brackets and braces inside each other
   int max_nodes_in_nodes = 500;             // textures, patterns, CSG and bounds inside each other
   uint64_t max_array_elements = 100'000'000;
+  uint64_t max_objects = 1'000'000'000;     // shapes of the scene, copies counted
   uint64_t max_string_bytes = 64'000'000;   // of one string
   uint64_t max_file_bytes = 4'000'000'000;  // of one source file
 };

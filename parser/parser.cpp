@@ -69,8 +69,8 @@ Vec4 Parser::parse_vec4() { return state_->parse_vec4(); }
 
 int Parser::parse_int() {
   const double number = state_->parse_float();
-  if (!(number > -2147483649.0)) return std::numeric_limits<int>::min();
-  if (number >= 2147483648.0) return std::numeric_limits<int>::max();
+  // What the processor makes of a number that no int can be.
+  if (!(number > -2147483649.0 && number < 2147483648.0)) return std::numeric_limits<int>::min();
   return static_cast<int>(number);
 }
 
@@ -157,6 +157,8 @@ void Parser::error_expected(std::string_view what) {
   state_->error_expected(what);
 }
 
+void Parser::note(const std::string& text) { state_->message(Severity::note, text); }
+
 void Parser::warning(const std::string& text) { state_->message(Severity::warning, text); }
 
 void Parser::possible_error(const std::string& text) {
@@ -214,6 +216,10 @@ void Parser::note_experimental(const char* feature) {
 
 std::string Parser::find_file(const std::string& name, FileType type) {
   return state_->find_file(name, type, true);
+}
+
+std::string Parser::find_image(const std::string& name, ImageFileType type) {
+  return state_->find_image(name, type);
 }
 
 }  // namespace durer

@@ -38,7 +38,7 @@ enum class FunctionParameters : uint8_t { xyz, uvw };
 // What may stand in the braces: an expression only, or also pattern{}, pigment{}, transform{}, spline{}.
 enum class FunctionBodies : uint8_t { expressions, any };
 
-enum class FileType : uint8_t { include, user, image, font, density };
+enum class FileType : uint8_t { include, user, font, density };
 
 class Parser {
  public:
@@ -144,6 +144,7 @@ class Parser {
   [[noreturn]] void error(const std::string& text, const std::string& hint = {});
   // "expected WHAT, found ...", with a suggestion if the word found is near a known one.
   [[noreturn]] void error_expected(std::string_view what);
+  void note(const std::string& text);
   void warning(const std::string& text);
   void possible_error(const std::string& text);
   // Place of the token read last; cheap enough to call once per node.
@@ -183,6 +184,8 @@ class Parser {
   // Finds a file as the language does (extensions, current folder, library paths); failing that,
   // ignoring case and with `\` read as `/`, with a warning. Empty: not found.
   std::string find_file(const std::string& name, FileType type);
+  // The same for an image; its kind decides which extensions are tried.
+  std::string find_image(const std::string& name, ImageFileType type);
   // Each file once, as long as something shares it. An error if it cannot be read.
   std::shared_ptr<const RasterFile> read_image(const std::string& path, ImageFileType type);
 

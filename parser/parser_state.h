@@ -276,6 +276,11 @@ struct Parser::State {
   int check_nesting(int levels);
   bool may_write(const std::string& path) const;
   std::string find_file(const std::string& name, FileType type, bool forgiving);
+  std::string find_image(const std::string& name, ImageFileType type);
+  // With the extensions that a name may lack, best first.
+  using Extensions = std::initializer_list<const char*>;
+  std::string find_as_written(const std::string& name, Extensions extensions) const;
+  std::string find_forgivingly(const std::string& name, Extensions extensions);
   // A file or folder of that name, here or in a library path.
   bool path_exists(const std::string& name) const;
   std::shared_ptr<SourceFile> load_source(const std::string& path);
@@ -295,6 +300,7 @@ struct Parser::State {
   [[noreturn]] void error(const std::string& text, const std::string& hint = {});
   [[noreturn]] void error_expected(std::string_view what);
   [[noreturn]] void error_undeclared(Name name);
+  [[noreturn]] void error_nested_macros();
   [[noreturn]] void raise_lexical(const Token& token);
   // An error in a file that the scene reads as data.
   [[noreturn]] void error_in_data(const std::string& path, const std::string& text, uint32_t offset,

@@ -1,5 +1,7 @@
 #include "parser/source.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -10,6 +12,7 @@ namespace {
 
 constexpr size_t kTokensPerPage = 1024;
 constexpr size_t kMostPages = 256;  // 4 MB of tokens per file
+constexpr uint64_t kMostOfDevice = 64'000'000;
 
 }  // namespace
 
@@ -118,6 +121,11 @@ bool read_file(const std::string& path, uint64_t most_bytes, std::string& conten
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file) return false;
   content.clear();
+  // A device has no size, and may have no end.
+  struct stat status;
+  if (fstat(fileno(file), &status) == 0 && S_ISCHR(status.st_mode)) {
+    most_bytes = std::min(most_bytes, kMostOfDevice);
+  }
   size_t got = 0;
   bool good = true;
   // Size first where it is known; then whatever is left (pipes, growing files).

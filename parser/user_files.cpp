@@ -109,8 +109,9 @@ void Parser::State::do_fopen() {
   if (accept(Keyword::read)) {
     file->mode = UserFile::Mode::read;
     file->path = find_file(given, FileType::user, true);
-    if (file->path.empty() || !read_file(file->path, options.limits.max_file_bytes, file->text)) {
-      error("cannot open the file '" + given + "' for reading");
+    if (file->path.empty()) error("cannot open the file '" + given + "' for reading");
+    if (!read_file(file->path, options.limits.max_file_bytes, file->text)) {
+      error("cannot read the file '" + given + "', or it is too long");
     }
   } else {
     const bool append = accept(Keyword::append);

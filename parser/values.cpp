@@ -277,9 +277,6 @@ void Parser::State::store(const Reference& reference, Value value) {
   Value* slot = writable(reference);
   if (!slot) error("the variable that this name stands for is gone");
   if (reference.levels > 0) {
-    if (slot->kind() == ValueKind::function) {
-      error("this element holds a function already", "#undef it first");
-    }
     Reference holder = reference;
     --holder.levels;
     Array& array = writable(holder)->mutable_as<Array>();

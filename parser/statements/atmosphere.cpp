@@ -38,7 +38,6 @@ std::shared_ptr<const FogNode> parse_fog(Parser& parser) {
     } else {
       break;
     }
-    parser.accept_comma();
   }
   parser.expect_close("fog");
   return fog;

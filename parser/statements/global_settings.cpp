@@ -97,6 +97,7 @@ class SettingsReader {
 
   void parse_subsurface() {
     settings_.subsurface = true;
+    settings_.subsurface_position = parser_.position();
     parser_.expect_open("subsurface");
     for (;;) {
       if (parser_.accept(Keyword::samples)) {
@@ -115,6 +116,7 @@ class SettingsReader {
   void parse_photons() {
     PhotonGlobals& photons = settings_.photons = PhotonGlobals{};
     photons.enabled = true;
+    photons.position = parser_.position();
     parser_.expect_open("photons");
     for (;;) {
       if (parser_.accept(Keyword::spacing)) {
@@ -189,6 +191,7 @@ class SettingsReader {
   void parse_radiosity() {
     RadiositySettings& radiosity = settings_.radiosity;
     radiosity.enabled = true;
+    radiosity.position = parser_.position();
     parser_.expect_open("radiosity");
     bool minimum_given = false, maximum_given = false;
     for (;;) {

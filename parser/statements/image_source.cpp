@@ -103,7 +103,7 @@ std::shared_ptr<const FunctionRaster> parse_function_raster(Parser& parser) {
 
 }  // namespace
 
-std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
+std::shared_ptr<ImageSource> parse_image_file(Parser& parser, ImageUse use) {
   auto source = std::make_shared<ImageSource>();
   if (parser.accept(Keyword::function)) {
     source->type = ImageFileType::function;
@@ -112,7 +112,10 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
   }
   source->type = accept_type(parser);
   const std::string name = parser.parse_path_string();
-  source->path = parser.find_file(name, FileType::image);
+  if (source->type == ImageFileType::pot && use != ImageUse::height_field) {
+    parser.error("a pot file gives heights, only a height_field can read it");
+  }
+  source->path = parser.find_image(name, source->type);
   if (source->path.empty()) parser.error("the image '" + name + "' is not found");
   for (;;) {
     if (parser.accept(Keyword::gamma)) {
@@ -124,7 +127,7 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser) {
         if (!(source->gamma > 0)) parser.error("gamma must be positive");
       }
     } else if (parser.accept(Keyword::premultiplied)) {
-      source->premultiplied = parser.parse_optional_switch();
+      source->premultiplied = parser.parse_float() > 0;
     } else {
       source->raster = parser.read_image(source->path, source->type);
       return source;
@@ -139,7 +142,7 @@ std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKi
     parser.warning("the plane of an image has no effect any more");
     parser.parse_vector();
   }
-  const auto source = parse_image_file(parser);
+  const auto source = parse_image_file(parser, ImageUse::pattern);
   const bool pigment = kind == PatternKind::image_map;
   for (;;) {
     if (parser.accept(Keyword::map_type)) {

@@ -109,6 +109,7 @@ bool accept_media_item(Parser& parser, MediaNode& media) {
   Transform transform;
   if (parser.accept(Keyword::intervals)) {
     media.intervals = parser.parse_int();
+    if (media.intervals < 1) parser.error("media needs at least one interval");
   } else if (parser.accept(Keyword::samples)) {
     media.min_samples = parser.parse_int();
     parser.accept_comma();
@@ -163,7 +164,6 @@ std::shared_ptr<const MediaNode> parse_media(Parser& parser) {
   }
   while (accept_media_item(parser, *media)) {
   }
-  if (media->intervals < 1) parser.error("media needs at least one interval");
   if (media->min_samples < 1) parser.error("media needs at least one sample per interval");
   if (media->max_samples < media->min_samples) {
     parser.error("the most samples per interval are fewer than the least");

@@ -4,6 +4,7 @@
 #include "parser/statements/objects.h"
 #include "parser/statements/textures.h"
 #include "parser/statements/warp.h"
+#include "tracer/image/density_grid.h"
 
 namespace durer {
 namespace {
@@ -102,6 +103,11 @@ void parse_density_file(Parser& parser, PatternNode& node) {
   const std::string name = parser.parse_path_string();
   node.density_file = parser.find_file(name, FileType::density);
   if (node.density_file.empty()) parser.error("the density file '" + name + "' is not found");
+  try {
+    DensityGrid::check(node.density_file);
+  } catch (const std::runtime_error& failure) {
+    parser.error(failure.what());
+  }
 }
 
 void parse_pavement_or_tiling(Parser& parser, PatternNode& node, bool tiling) {

@@ -65,7 +65,7 @@ bool parse_statement(Parser& parser, TexturePtr& default_noted, NeedlessBounds& 
     }
   } else if (parser.accept(Keyword::version)) {
     parser.parse_float();
-    parser.warning("'version' without '#' ends the scene here, as it does in POV-Ray");
+    parser.note("'version' without '#' ends the scene here, as it does in POV-Ray");
     return false;
   } else if (parser.at_end()) {
     return false;

@@ -53,8 +53,9 @@ std::shared_ptr<const TextureMap> parse_texture_map(Parser& parser,
 std::shared_ptr<const PigmentMap> parse_density_map(Parser& parser,
                                                     MapEntries entries = MapEntries::places);
 
-// After `{` of height_field: [type] file [gamma ...] [premultiplied ...].
-std::shared_ptr<ImageSource> parse_image_file(Parser& parser);
+// [type] file [gamma ...] [premultiplied ...]
+enum class ImageUse { pattern, height_field };
+std::shared_ptr<ImageSource> parse_image_file(Parser& parser, ImageUse use);
 // The same with the options that this kind of image pattern takes, up to the closing brace.
 // bump_size is an option of bump_map only; null elsewhere.
 std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind,

@@ -74,6 +74,9 @@ FILES = {
     "blanks_behind.ini": "Input_File_Name=s.pov\nWidth=6 Height=5\nOutput_File_Name=abc  \n\n",
     "word_and_setting.ini": "Input_File_Name=s.pov\nWidth=6\nOutput_File_Name=abc Clock=1\nHeight=5\n",
     "word_and_switch.ini": "Input_File_Name=s.pov\nWidth=6\nOutput_File_Name=abc -J\nHeight=5\n",
+    "two_words.ini": "a.ini s.pov\nWidth=6\nHeight=5\n",
+    "old_comment.ini": "/* a.ini */\nInput_File_Name=s.pov\nWidth=6\nHeight=5\n",
+    "empty_toggle.ini": "Input_File_Name=s.pov\nWidth=6\nHeight=5\nOutput_Alpha=\n",
     "rest_of_line.ini": "Clock=0.5 Quality=1\nAntialias_Depth=2 Antialias=on\n",
 }
 
@@ -100,9 +103,10 @@ s.pov a.ini | s.pov a | s.pov a[one] | s.pov a.ini[TWO] | s.pov a.ini[none] | b.
 s.pov shell.ini | s.pov stop.ini | switches.ini | s.pov old_mac.ini | s.pov animation.ini
 s.pov animation.ini[cyclic] | s.pov declares.ini | s.pov rest_of_line.ini | s.pov a.ini +W3
 s.pov Include_INI=a.ini | s.pov quoted.ini | s.pov skip.ini | s.pov abort.ini | s.pov late.ini
+two_words.ini | old_comment.ini | empty_toggle.ini
 blanks.ini | blanks_behind.ini | word_and_setting.ini | word_and_switch.ini
 """
-SIZED = ("a.ini", "a", "a[", "b.ini", "blanks", "word_and", "switches.ini", "old_mac.ini", "Include_INI")
+SIZED = ("a.ini", "two_words", "old_comment", "empty_toggle", "a", "a[", "b.ini", "blanks", "word_and", "switches.ini", "old_mac.ini", "Include_INI")
 
 # Files that lie there before: a finished picture is skipped with +C, an empty one is not.
 BEFORE = [

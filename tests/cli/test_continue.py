@@ -68,6 +68,18 @@ class Continue(RenderCase):
         self.durer(*OPTIONS, "+C", "+Opart.png")
         self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
 
+    def test_damaged_state_file(self):
+        """Blocks that are not what was written are rendered again."""
+        self.durer(*OPTIONS, "+WT1", "+Owhole.png")
+        self.interrupted("part", 1, signal.SIGKILL)
+        state = self.folder / "part.pov-state"
+        data = bytearray(state.read_bytes())
+        for place in range(3000, len(data), 1700):
+            data[place] ^= 255
+        state.write_bytes(data)
+        self.durer(*OPTIONS, "+C", "+Opart.png")
+        self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
+
     def test_state_of_another_picture_is_not_used(self):
         self.interrupted("part", 1, signal.SIGKILL)
         others = OPTIONS[:3] + ("+A0.4",) + OPTIONS[4:]

@@ -135,6 +135,28 @@ TEST_F(ParserMessages, WhatNeverEndsIsStopped) {
             std::string::npos);
 }
 
+TEST_F(ParserMessages, MacrosMayBeNestedDeeper) {
+  const std::string text = "#macro M(N)\n  #if (N > 0) M(N - 1) #end\n#end\nM(2000)\n";
+  EXPECT_NE(error_of(text).find("--max-macro-depth"), std::string::npos);
+  options_.limits.max_symbol_tables = 2500;
+  options_.limits.max_nesting = 10'000;
+  EXPECT_EQ(error_of(text), "");
+}
+
+TEST_F(ParserMessages, CopiesAreCounted) {
+  const std::string doubling =
+      "#declare A = sphere { 0, 1 }\n#for (I, 1, 60)\n#declare A = union { object { A } object { A } }\n#end\n";
+  EXPECT_EQ(error_of(doubling), "");
+  EXPECT_NE(error_of(doubling + "object { A }\n").find("scene.pov:6:"), std::string::npos);
+  EXPECT_NE(error_of(doubling + "object { A }\n").find("--max-objects"), std::string::npos);
+  const std::string trees =
+      "#declare T = union { #for (I, 1, 1000) sphere { I, 1 } #end }\n"
+      "#declare W = union { #for (I, 1, 1000) object { T translate I } #end }\n";
+  EXPECT_EQ(error_of(trees + "object { W }\n"), "");
+  options_.limits.max_objects = 999'999;
+  EXPECT_NE(error_of(trees + "object { W }\n").find("1e+06 objects"), std::string::npos);
+}
+
 TEST_F(ParserMessages, DeepNestingIsStopped) {
   const auto repeated = [](const std::string& text, int times) {
     std::string all;

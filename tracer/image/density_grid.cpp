@@ -11,6 +11,14 @@ struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
+using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
+
+FilePointer open(const std::string& path) {
+  FilePointer file(std::fopen(path.c_str(), "rb"));
+  if (!file) throw std::runtime_error("cannot open the density file '" + path + "'");
+  return file;
+}
+
 // POV-Ray steps back from index 0 with an unsigned number: only powers of two wrap to the end.
 int before(int index, int size) {
   if (index > 0) return index - 1;
@@ -27,11 +35,9 @@ float cubic(float a, float b, float c, float d, float t) {
 
 }  // namespace
 
-DensityGrid::DensityGrid(const std::string& path) {
-  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw std::runtime_error("cannot open the density file '" + path + "'");
+size_t DensityGrid::read_header(std::FILE* file, const std::string& path) {
   uint8_t header[6];
-  if (std::fread(header, 1, 6, file.get()) != 6)
+  if (std::fread(header, 1, 6, file) != 6)
     throw std::runtime_error("the density file '" + path + "' is shorter than its header");
   size_t count = 1;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -40,20 +46,29 @@ DensityGrid::DensityGrid(const std::string& path) {
   }
 
   // The bytes of a value follow from the length of the file.
-  std::fseek(file.get(), 0, SEEK_END);
-  const long end = std::ftell(file.get());
+  std::fseek(file, 0, SEEK_END);
+  const long end = std::ftell(file);
   const size_t length = end > 6 ? static_cast<size_t>(end) - 6 : 0;
   bytes_per_value_ = 0;
   for (int bytes : {4, 2, 1})
-    if (bytes_per_value_ == 0 && count > 0 && length == count * static_cast<size_t>(bytes))
+    if (bytes_per_value_ == 0 && length == count * static_cast<size_t>(bytes))
       bytes_per_value_ = bytes;
   if (bytes_per_value_ == 0)
     throw std::runtime_error("the length of the density file '" + path +
                              "' does not fit the sizes in its header");
-  data_.resize(length);
-  std::fseek(file.get(), 6, SEEK_SET);
-  if (std::fread(data_.data(), 1, length, file.get()) != length)
+  std::fseek(file, 6, SEEK_SET);
+  return length;
+}
+
+DensityGrid::DensityGrid(const std::string& path) {
+  const FilePointer file = open(path);
+  data_.resize(read_header(file.get(), path));
+  if (std::fread(data_.data(), 1, data_.size(), file.get()) != data_.size())
     throw std::runtime_error("cannot read the density file '" + path + "'");
+}
+
+void DensityGrid::check(const std::string& path) {
+  DensityGrid().read_header(open(path).get(), path);
 }
 
 double DensityGrid::voxel(int x, int y, int z) const {
@@ -75,6 +90,7 @@ double DensityGrid::voxel(int x, int y, int z) const {
 }
 
 double DensityGrid::value(const Vec3& p, int interpolation) const {
+  if (data_.empty()) return 0;
   for (int axis = 0; axis < 3; ++axis)
     if (!(p[axis] >= 0 && p[axis] < 1)) return 0;
   const Vec3 at(p.x * sizes_[0], p.y * sizes_[1], p.z * sizes_[2]);

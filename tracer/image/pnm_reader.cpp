@@ -31,7 +31,17 @@ class PnmText {
       value = 10 * value + (c - '0');
     }
     if (value > most || !(std::isspace(c) || c == EOF || c == '#')) wrong();
+    behind_number_ = c;
     return value;
+  }
+  // Pixels begin behind the character that ends the last number, or in the next line if nothing but
+  // blanks or a comment is left of this one.
+  void end_header() {
+    int c = behind_number_;
+    while (behind_number_ == '#' && c != '\n') c = byte();
+    const long begin = std::ftell(file_.get());
+    while (c == ' ' || c == '\t' || c == '\r') c = std::getc(file_.get());
+    if (c != '\n') std::fseek(file_.get(), begin, SEEK_SET);
   }
   void read(uint8_t* to, size_t count) {
     if (std::fread(to, 1, count, file_.get()) != count) byte();
@@ -46,6 +56,7 @@ class PnmText {
   const std::string path_;
   std::unique_ptr<std::FILE, decltype(&std::fclose)> file_;
   bool last_ = false;
+  int behind_number_ = 0;
 };
 
 }  // namespace
@@ -61,6 +72,7 @@ RasterFile read_pnm(const std::string& path, ImageFileType type) {
   file.height = text.number(1 << 24);
   const int maximum = text.number(65535);
   if (maximum < 1) text.wrong();
+  text.end_header();
   check_size(path, file.width, file.height);
   file.maximum = maximum;
   file.channels = has_colors ? 3 : 1;

@@ -50,6 +50,9 @@ RasterFile read_with_stb(const std::string& path) {
 
 RasterFile read_hdr(const std::string& path) {
   RasterFile file;
+  if (!stbi_is_hdr(path.c_str())) {
+    throw std::runtime_error("the image '" + path + "' is no readable Radiance HDR file");
+  }
   const Pixels<float> pixels(
       stbi_loadf(path.c_str(), &file.width, &file.height, &file.channels, 0), &stbi_image_free);
   if (!pixels) fail(path);

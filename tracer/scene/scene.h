@@ -39,6 +39,7 @@ struct SkySphereNode {  // spec/textures.md 16
 
 struct RadiositySettings {  // spec/gi.md B1
   bool enabled = false;
+  SourcePosition position;
   double adc_bailout = 0.01;
   bool always_sample = false;
   double brightness = 1;
@@ -58,6 +59,7 @@ struct RadiositySettings {  // spec/gi.md B1
 
 struct PhotonGlobals {  // spec/gi.md A1.1
   bool enabled = false;
+  SourcePosition position;
   double spacing = 1;
   int count = 0;
   int gather_min = 20, gather_max = 100;
@@ -86,6 +88,7 @@ struct GlobalSettings {
   bool noise_generator_given = false;
   int number_of_waves = 10;
   bool subsurface = false;
+  SourcePosition subsurface_position;
   int subsurface_samples_diffuse = 50, subsurface_samples_single = 50;
   bool subsurface_radiosity = false;
   PhotonGlobals photons;

@@ -12,8 +12,8 @@ void refuse_missing_features(const Scene& scene, int quality) {
   if (!scene.atmosphere.empty()) {
     throw NotSupported("media in the atmosphere", scene.atmosphere.front()->position);
   }
-  if (scene.settings.radiosity.enabled) throw NotSupported("radiosity", {});
-  if (scene.settings.photons.enabled) throw NotSupported("photons", {});
+  if (scene.settings.radiosity.enabled) throw NotSupported("radiosity", scene.settings.radiosity.position);
+  if (scene.settings.photons.enabled) throw NotSupported("photons", scene.settings.photons.position);
 }
 
 void refuse_missing_features(const Scene& scene, const World& world, int quality) {
@@ -26,7 +26,9 @@ void refuse_missing_features(const Scene& scene, const World& world, int quality
   if (!scene.settings.subsurface) return;
   for (const CompiledTexture& texture : world.textures()) {
     for (const TextureLayer& layer : texture.layers) {
-      if (layer.finish->has_subsurface) throw NotSupported("subsurface light transport", {});
+      if (layer.finish->has_subsurface) {
+        throw NotSupported("subsurface light transport", scene.settings.subsurface_position);
+      }
     }
   }
 }

@@ -282,10 +282,12 @@ class Font {
  public:
   explicit Font(const std::string& path) {
     if (freetype().FT_Init_FreeType(&library_)) throw std::runtime_error("cannot start FreeType");
-    if (freetype().FT_New_Face(library_, path.c_str(), 0, &face_)) {
-      freetype().FT_Done_FreeType(library_);
-      throw std::runtime_error("the font '" + path + "' cannot be read");
-    }
+    const bool is_font = freetype().FT_New_Face(library_, path.c_str(), 0, &face_) == 0;
+    if (is_font && FT_IS_SCALABLE(face_)) return;
+    if (is_font) freetype().FT_Done_Face(face_);
+    freetype().FT_Done_FreeType(library_);
+    throw std::runtime_error("the font '" + path +
+                             (is_font ? "' has no outlines" : "' cannot be read"));
   }
   ~Font() {
     freetype().FT_Done_Face(face_);
@@ -340,6 +342,8 @@ Font& open_font(const std::string& path) {
 }
 
 }  // namespace
+
+void check_font(const std::string& path) { open_font(path); }
 
 std::vector<PlacedGlyph> lay_out_text(const TextNode& node) {
   Font& font = open_font(node.font);

@@ -7,7 +7,7 @@ namespace durer {
 
 ShapeNode parse_height_field(Parser& parser) {
   HeightFieldNode node;
-  node.image = parse_image_file(parser);
+  node.image = parse_image_file(parser, ImageUse::height_field);
   for (;;) {
     if (parser.accept(Keyword::water_level)) {
       node.water_level = parser.parse_float();

@@ -132,10 +132,10 @@ ShapeNode parse_lathe(Parser& parser) {
 ShapeNode parse_sor(Parser& parser) {
   SorNode node;
   const int count = parse_count(parser, 4, "a sor");
-  node.points = parse_points(parser, count);
-  node.open = parser.accept(Keyword::open);
-  const std::vector<Vec2>& points = node.points;
+  std::vector<Vec2>& points = node.points;
   for (int i = 0; i < count; ++i) {
+    points.push_back(parser.parse_uv());
+    parser.accept_comma();
     if (points[i].x < 0) parser.error("the radii of a sor must not be negative");
     // The first and the last point only bend the curve, and may stand anywhere but level with the
     // point after next.
@@ -143,6 +143,7 @@ ShapeNode parse_sor(Parser& parser) {
     const bool level = i >= 2 && std::abs(points[i].y - points[i - 2].y) < kEpsilon;
     if (falls || level) parser.error("the heights of a sor must increase from point to point");
   }
+  node.open = parser.accept(Keyword::open);
   return node;
 }
 

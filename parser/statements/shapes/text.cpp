@@ -2,6 +2,7 @@
 #include "parser/font_replacement.h"
 #include "parser/parser.h"
 #include "parser/statements/shapes/shape_parsers.h"
+#include "tracer/shapes/text.h"
 
 namespace durer {
 
@@ -35,6 +36,11 @@ ShapeNode parse_text(Parser& parser) {
     if (node.font.empty()) parser.error(std::string("the internal font '") + name + "' is not found");
   } else {
     parser.error_expected("ttf or internal");
+  }
+  try {
+    check_font(node.font);
+  } catch (const std::runtime_error& failure) {
+    parser.error(failure.what());
   }
   parser.accept_comma();
   node.text = parser.parse_string();
