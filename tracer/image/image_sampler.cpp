@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "tracer/image/image.h"
 
@@ -30,6 +29,36 @@ int wrap_index(int i, int size) {
   i %= size;
   return i < 0 ? i + size : i;
 }
+
+// Sums are of double precision, as in POV-Ray: it decides which of two materials an interpolated
+// material_map takes.
+struct WideColor {
+  double red = 0, green = 0, blue = 0, filter = 0, transmit = 0;
+
+  WideColor() = default;
+  explicit WideColor(const ColorRGBFT& c)
+      : red(static_cast<double>(c.red)),
+        green(static_cast<double>(c.green)),
+        blue(static_cast<double>(c.blue)),
+        filter(static_cast<double>(c.filter)),
+        transmit(static_cast<double>(c.transmit)) {}
+  WideColor operator*(double w) const {
+    WideColor product;
+    product.red = red * w, product.green = green * w, product.blue = blue * w;
+    product.filter = filter * w, product.transmit = transmit * w;
+    return product;
+  }
+  WideColor operator+(const WideColor& other) const {
+    WideColor sum;
+    sum.red = red + other.red, sum.green = green + other.green, sum.blue = blue + other.blue;
+    sum.filter = filter + other.filter, sum.transmit = transmit + other.transmit;
+    return sum;
+  }
+  ColorRGBFT narrow() const {
+    return {static_cast<float>(red), static_cast<float>(green), static_cast<float>(blue),
+            static_cast<float>(filter), static_cast<float>(transmit)};
+  }
+};
 
 }  // namespace
 
@@ -143,8 +172,6 @@ ColorRGBFT ImageSampler::fetch(int x, int y) const {
 
 template <typename Value, typename Fetch>
 Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
-  // Indices are cut to integers: their weights must sum to 1 as nearly as may be.
-  using Weight = std::conditional_t<std::is_same_v<Value, double>, double, float>;
   const int width = image_->width(), height = image_->height();
   const auto at = [&](int i, int j) {
     if (once_)
@@ -171,7 +198,7 @@ Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
     // In povray's order, which decides whether indices come out whole.
     for (int m = 0; m < 4; ++m)
       for (int n = 0; n < 4; ++n)
-        sum = sum + at(i - 2 + m, j - 2 + n) * static_cast<Weight>(wx[m] * wy[n]);
+        sum = sum + at(i - 2 + m, j - 2 + n) * (wx[m] * wy[n]);
     return sum;
   }
   double w[4];
@@ -189,12 +216,13 @@ Value ImageSampler::interpolate(double x, double y, Fetch&& get) const {
     for (double& weight : w) weight /= total;
   }
   for (int n = 0; n < 4; ++n)
-    sum = sum + at(n % 2 ? i - 1 : i, n / 2 ? j - 1 : j) * static_cast<Weight>(w[n]);
+    sum = sum + at(n % 2 ? i - 1 : i, n / 2 ? j - 1 : j) * w[n];
   return sum;
 }
 
 ColorRGBFT ImageSampler::color(double x, double y) const {
-  return interpolate<ColorRGBFT>(x, y, [this](int i, int j) { return fetch(i, j); });
+  return interpolate<WideColor>(x, y, [this](int i, int j) { return WideColor(fetch(i, j)); })
+      .narrow();
 }
 
 int ImageSampler::index(double x, double y) const {

@@ -31,8 +31,8 @@ class PigmentPattern : public BasePattern {
  public:
   explicit PigmentPattern(std::shared_ptr<const GreyField> pigment)
       : pigment_(std::move(pigment)) {}
-  double base_value(const Vec3& p, const PatternContext&) const override {
-    return pigment_->grey(p);
+  double base_value(const Vec3& p, const PatternContext& context) const override {
+    return pigment_->grey(p, context);
   }
 
  private:

@@ -28,7 +28,7 @@ class InsideTest {  // pattern `object`
 class GreyField {  // pigment_pattern
  public:
   virtual ~GreyField() = default;
-  virtual double grey(const Vec3& p) const = 0;
+  virtual double grey(const Vec3& p, const PatternContext& context) const = 0;
 };
 class PatternServices {
  public:

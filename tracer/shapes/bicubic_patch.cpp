@@ -57,22 +57,18 @@ void split_u(const Points& p, Points& low, Points& high) {
   }
 }
 
-// All points within `flatness` of the plane of three distinct corners.
+// All points within `flatness` of the plane through the first corners of both rows and the other
+// corner of the first, or the opposite one where that row has shrunk to a point.
 bool is_flat(const Points& p, double flatness) {
   if (flatness <= 0) return false;
-  const Vec3 corners[4] = {p[0][0], p[0][3], p[3][3], p[3][0]};
-  for (int skip = 3; skip >= 0; --skip) {
-    Vec3 c[3];
-    for (int i = 0, n = 0; i < 4; ++i)
-      if (i != skip) c[n++] = corners[i];
-    const Vec3 normal = normalize_or_zero(cross(c[1] - c[0], c[2] - c[0]));
-    if (normal == Vec3(0)) continue;
-    for (const auto& row : p)
-      for (const Vec3& q : row)
-        if (std::abs(dot(q - c[0], normal)) >= flatness) return false;
-    return true;
-  }
-  return false;
+  const Vec3& origin = p[0][0];
+  const Vec3& across = p[0][3] == origin ? p[3][3] : p[0][3];
+  const Vec3 normal = normalize_or_zero(cross(across - origin, p[3][0] - origin));
+  if (normal == Vec3(0)) return false;
+  for (const auto& row : p)
+    for (const Vec3& q : row)
+      if (std::abs(dot(q - origin, normal)) >= flatness) return false;
+  return true;
 }
 
 struct Piece {  // a node of the tree of pieces; leaves have no children

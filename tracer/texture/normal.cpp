@@ -285,8 +285,9 @@ class BumpMapNormal : public CompiledNormal {
     const Vec3 n = frame_.inwards(normal);
     Vec3 up = n, side = cross(n, Vec3(0, 1, 0));
     if (length(side) < 1e-10) {
+      // POV-Ray takes a normal of another length, after no_bump_scale, for one that points down.
       side = {1, 0, 0};
-      up = {0, n.y < 0 ? -1.0 : 1.0, 0};
+      up = {0, std::abs(n.y - 1) < 1e-10 ? 1.0 : -1.0, 0};
     } else {
       side = normalize_or_zero(side);
     }

@@ -19,10 +19,10 @@ class PigmentGrey final : public GreyField {
  public:
   explicit PigmentGrey(std::shared_ptr<const CompiledPigment> pigment)
       : pigment_(std::move(pigment)) {}
-  double grey(const Vec3& p) const override {
+  double grey(const Vec3& p, const PatternContext& context) const override {
     ColorRGBFT color;
     // Beside an image that is there once.
-    if (!pigment_->evaluate(p, TextureContext{}, color)) return 0;
+    if (!pigment_->evaluate(p, context, color)) return 0;
     return static_cast<double>(pattern_grey(color));
   }
 
