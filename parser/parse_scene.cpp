@@ -108,6 +108,13 @@ void finish(Parser::State& state) {
   scene.settings.noise_generator = state.field_settings->noise_generator;
   state.field_settings->number_of_waves = scene.settings.number_of_waves;
   state.field_settings->frozen = true;
+  if (!state.gamma_known && state.parser.effective_version() >= 370) {
+    state.message(Severity::possible_error,
+                  "assumed_gamma is not given: 1.0 is used; write global_settings { assumed_gamma 1.0 }");
+  } else if (!state.gamma_known) {
+    state.message(Severity::warning,
+                  "assumed_gamma is not given: colours are not corrected for the display, as before 3.7");
+  }
   if (state.language_version < 350) {
     state.message(Severity::warning,
                   "this scene is written for a version of POV-Ray before 3.5: some features may look "

@@ -31,13 +31,17 @@ Said what_is_said(const ObjectNode& object) {
 }
 
 // Shapes that are finite whatever their numbers are. Of the others the tracer is asked.
-bool is_surely_finite(const ObjectNode& object) {
+// `known`: finite CSG that was looked at already.
+bool is_surely_finite(const ObjectNode& object, std::unordered_set<const CsgNode*>& known) {
   const ShapeNode& shape = shape_of(object);
-  const auto is_finite = [](const ObjectPtr& child) { return is_surely_finite(*child); };
+  const auto is_finite = [&](const ObjectPtr& child) { return is_surely_finite(*child, known); };
   if (const auto* csg = std::get_if<CsgNode>(&shape)) {
-    return csg->kind == CsgKind::intersection || csg->kind == CsgKind::difference
-               ? is_finite(csg->children.front())
-               : std::all_of(csg->children.begin(), csg->children.end(), is_finite);
+    if (known.contains(csg)) return true;
+    const bool finite = csg->kind == CsgKind::intersection || csg->kind == CsgKind::difference
+                            ? is_finite(csg->children.front())
+                            : std::all_of(csg->children.begin(), csg->children.end(), is_finite);
+    if (finite) known.insert(csg);
+    return finite;
   }
   return !std::holds_alternative<PlaneNode>(shape) &&
          !std::holds_alternative<Rare<QuadricNode>>(shape) &&
@@ -48,7 +52,8 @@ bool is_surely_finite(const ObjectNode& object) {
 }  // namespace
 
 bool NeedlessBounds::is_finite(const ObjectPtr& object) {
-  if (is_surely_finite(*object)) return true;
+  std::unordered_set<const CsgNode*> known;
+  if (is_surely_finite(*object, known)) return true;
   if (std::holds_alternative<std::shared_ptr<const LightNode>>(shape_of(*object))) return false;
   const Bounds box = parser_.queries().extents(object);
   const Vec3 size = box.max - box.min;

@@ -1,5 +1,6 @@
 // What may follow an object's parameters (spec/language.md 25).
 #include <algorithm>
+#include <unordered_set>
 
 #include "parser/parser.h"
 #include "parser/statements/objects.h"
@@ -319,23 +320,30 @@ ObjectPtr with_modifier(ObjectPtr object, Modifier modifier) {
   return copy;
 }
 
-bool is_textured(const ObjectNode& object) {
+namespace {
+
+// `known`: CSG that was looked at already, without textures here and solid below; copies of copies
+// would double the work each time.
+bool is_textured(const ObjectNode& object, std::unordered_set<const CsgNode*>& known) {
   if (resolve_textures(object).texture) return true;
   const auto* csg = std::get_if<CsgNode>(&shape_of(object));
-  return csg && std::any_of(csg->children.begin(), csg->children.end(),
-                            [](const ObjectPtr& child) { return is_textured(*child); });
+  return csg && known.insert(csg).second &&
+         std::any_of(csg->children.begin(), csg->children.end(),
+                     [&](const ObjectPtr& child) { return is_textured(*child, known); });
 }
 
-bool is_solid(const ObjectNode& object) {
+bool is_solid(const ObjectNode& object, std::unordered_set<const CsgNode*>& known) {
   const ShapeNode& shape = shape_of(object);
   if (const auto* mesh = std::get_if<Rare<MeshNode>>(&shape)) return mesh->get().inside_vector.has_value();
   if (const auto* csg = std::get_if<CsgNode>(&shape)) {
+    if (known.contains(csg)) return true;
     for (const ObjectPtr& child : csg->children) {
-      if (!is_solid(*child) && !std::holds_alternative<std::shared_ptr<const LightNode>>(
+      if (!is_solid(*child, known) && !std::holds_alternative<std::shared_ptr<const LightNode>>(
                                    shape_of(*child))) {
         return false;
       }
     }
+    known.insert(csg);
     return true;
   }
   return !std::holds_alternative<TriangleNode>(shape) &&
@@ -343,6 +351,18 @@ bool is_solid(const ObjectNode& object) {
          !std::holds_alternative<Rare<BicubicPatchNode>>(shape) &&
          !std::holds_alternative<Rare<ParametricNode>>(shape) &&
          !std::holds_alternative<std::shared_ptr<const LightNode>>(shape);
+}
+
+}  // namespace
+
+bool is_textured(const ObjectNode& object) {
+  std::unordered_set<const CsgNode*> known;
+  return is_textured(object, known);
+}
+
+bool is_solid(const ObjectNode& object) {
+  std::unordered_set<const CsgNode*> known;
+  return is_solid(object, known);
 }
 
 }  // namespace durer

@@ -52,6 +52,9 @@ NESTED = {
                                  "union { object { A } object { A } }"), "A", 60) + " A",
     "differences that double": again(("#declare A = sphere { 0, 1 }",
                                       "difference { object { A } object { A } }"), "A", 60) + " A",
+    "unions in clips that double": again(("#declare A = sphere { 0, 1 }",
+                                          "union { object { A } object { A } }"), "A", 60)
+    + " object { A bounded_by { object { A } } clipped_by { object { A } } }",
     "clips that double": again(("#declare A = sphere { 0, 1 }",
                                 "object { A clipped_by { object { A } } }"), "A", 60) + " A",
     "an include without end": HEAD + '#include "/dev/zero"',
