@@ -150,7 +150,7 @@ void Parser::State::error_undeclared(Name name) {
 
 void Parser::State::error_nested_macros() {
   error("macros and includes are nested too deeply (limit " +
-            std::to_string(options.limits.max_symbol_tables) + ", as in POV-Ray)",
+            std::to_string(options.limits.max_symbol_tables) + ")",
         "--max-macro-depth N raises it, if the macros do not call each other without end");
 }
 

@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "parser/parser_state.h"
-#include "parser/part_count.h"
 #include "parser/statements/statements.h"
 #include "parser/world_queries.h"
 #include "tracer/scene/not_supported.h"
@@ -67,36 +66,11 @@ void open_main_file(Parser::State& state) {
   }
 }
 
-void check_object_count(Parser::State& state) {
-  PartCount parts;
-  double total = 0;
-  for (const ObjectPtr& object : state.scene.objects) {
-    total += parts.of(*object);
-    if (total <= static_cast<double>(state.options.limits.max_objects)) continue;
-    Diagnostic diagnostic;
-    char text[120];
-    std::snprintf(text, sizeof text, "with this the scene has %.3g objects, copies counted; the limit is %.3g",
-                  total, static_cast<double>(state.options.limits.max_objects));
-    diagnostic.text = text;
-    diagnostic.hint = "--max-objects N raises it";
-    const SourcePosition& place = object->position;
-    for (const auto& file : state.all_files) {
-      if (file->shared_name() != place.file) continue;
-      diagnostic.file = file->name();
-      diagnostic.line = place.line;
-      diagnostic.column = place.column;
-      diagnostic.source_line = file->line_text(place.line);
-    }
-    throw ParseError(std::move(diagnostic));
-  }
-}
-
 // spec/language.md 27, the core's part.
 void finish(Parser::State& state) {
   state.last_file = nullptr;  // these messages are about no place
   state.behind_last = false;
   Scene& scene = state.scene;
-  check_object_count(state);
   if (scene.objects.empty()) state.message(Severity::warning, "the scene has no objects");
   if (!state.experimental.empty()) {
     std::string text = "this scene uses features that POV-Ray calls experimental:";
@@ -110,10 +84,12 @@ void finish(Parser::State& state) {
   state.field_settings->frozen = true;
   if (!state.gamma_known && state.parser.effective_version() >= 370) {
     state.message(Severity::possible_error,
-                  "assumed_gamma is not given: 1.0 is used; write global_settings { assumed_gamma 1.0 }");
+                  "assumed_gamma is not given: 1.0 is used; write "
+                  "global_settings { assumed_gamma 1.0 }");
   } else if (!state.gamma_known) {
     state.message(Severity::warning,
-                  "assumed_gamma is not given: colours are not corrected for the display, as before 3.7");
+                  "assumed_gamma is not given: colours are not corrected for the display, "
+                  "as before 3.7");
   }
   if (state.language_version < 350) {
     state.message(Severity::warning,

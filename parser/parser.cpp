@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "parser/parser_state.h"
+#include "parser/part_count.h"
 #include "parser/user_file.h"
 
 namespace durer {
@@ -171,8 +173,14 @@ void Parser::check_limit(uint64_t count, uint64_t limit, const char* name) {
   if (count > limit) error(std::string(name) + ": the limit is " + std::to_string(limit));
 }
 
-int Parser::check_nesting(const ObjectNode& node) {
-  return state_->check_nesting(state_->nesting.levels(node));
+void Parser::check_nesting(ObjectNode& node) {
+  node.csg_depth = static_cast<uint16_t>(state_->check_nesting(state_->nesting.levels(node)));
+  node.parts = part_count(node);
+  state_->check_parts("this stands for", static_cast<double>(node.parts));
+}
+void Parser::count_in_scene(const ObjectNode& node) {
+  state_->scene_parts += static_cast<double>(node.parts);
+  state_->check_parts("with this the scene has", state_->scene_parts);
 }
 void Parser::check_nesting(const std::shared_ptr<const PigmentNode>& node) {
   state_->check_nesting(state_->nesting.levels(node));
@@ -182,6 +190,14 @@ void Parser::check_nesting(const std::shared_ptr<const NormalNode>& node) {
 }
 void Parser::check_nesting(const std::shared_ptr<const TextureNode>& node) {
   state_->check_nesting(state_->nesting.levels(node));
+}
+
+void Parser::State::check_parts(const char* what, double parts) {
+  if (parts <= static_cast<double>(options.limits.max_objects)) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "%s %.3g objects, copies counted; the limit is %.3g", what, parts,
+                static_cast<double>(options.limits.max_objects));
+  error(text, "--max-objects N raises it");
 }
 
 int Parser::State::check_nesting(int levels) {

@@ -152,11 +152,14 @@ class Parser {
   // Stops with an error if `count` is above the limit; name appears in the message.
   void check_limit(uint64_t count, uint64_t limit, const char* name);
   // Stops with an error if textures, patterns or objects stand in each other too deeply in this node
-  // (parser/nesting.h). For an object under construction: returns its levels.
+  // (parser/nesting.h); with an object under construction also if it stands for too many shapes
+  // (parser/part_count.h). Notes both in it.
   void check_nesting(const std::shared_ptr<const PigmentNode>& node);
   void check_nesting(const std::shared_ptr<const NormalNode>& node);
   void check_nesting(const std::shared_ptr<const TextureNode>& node);
-  int check_nesting(const ObjectNode& node);
+  void check_nesting(ObjectNode& node);
+  // The same for all objects at scene level together: call it once for each.
+  void count_in_scene(const ObjectNode& node);
 
   // ---- Versions, settings, scene --------------------------------------------------------------
   // Hundredths: 370. The language version L and the effective version E (spec/language.md 19).

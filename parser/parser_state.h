@@ -274,6 +274,8 @@ struct Parser::State {
   void close_files();
   // The number itself; an error above the limit.
   int check_nesting(int levels);
+  void check_parts(const char* what, double parts);
+  double scene_parts = 0;  // of the objects at scene level so far
   bool may_write(const std::string& path) const;
   std::string find_file(const std::string& name, FileType type, bool forgiving);
   std::string find_image(const std::string& name, ImageFileType type);

@@ -2,19 +2,11 @@
 // them again and again.
 #pragma once
 
-#include <unordered_map>
-
 #include "tracer/scene/object.h"
 
 namespace durer {
 
-// Each node is looked at once. Must not outlive the objects.
-class PartCount {
- public:
-  double of(const ObjectNode& object);
-
- private:
-  std::unordered_map<const ObjectNode*, double> known_;
-};
+// Of an object under construction, its members' being known. Up to rounding.
+float part_count(const ObjectNode& object);
 
 }  // namespace durer

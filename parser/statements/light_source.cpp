@@ -225,7 +225,7 @@ ObjectPtr parse_light_source(Parser& parser) {
       node->position = parser.position();
       node->shape = std::make_shared<const ShapeNode>(
           std::make_shared<const LightNode>(std::move(copy)));
-      node->csg_depth = parser.check_nesting(*node);
+      parser.check_nesting(*node);
       return node;
     }
     ObjectBuilder builder(parser, named);
@@ -245,7 +245,7 @@ ObjectPtr parse_light_source(Parser& parser) {
   node->position = light.position;
   node->shape =
       std::make_shared<const ShapeNode>(std::make_shared<const LightNode>(std::move(light)));
-  node->csg_depth = parser.check_nesting(*node);
+  parser.check_nesting(*node);
   return node;
 }
 

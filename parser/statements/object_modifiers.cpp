@@ -77,7 +77,7 @@ ObjectPtr ObjectBuilder::finish(const char* what) {
 
 ObjectPtr ObjectBuilder::close(const char* what) {
   parser_.expect_close(what);
-  node_->csg_depth = parser_.check_nesting(*node_);
+  parser_.check_nesting(*node_);
   return std::move(node_);
 }
 
@@ -313,6 +313,7 @@ ObjectPtr with_modifier(ObjectPtr object, Modifier modifier) {
   }
   auto copy = std::make_shared<ObjectNode>();
   copy->position = object->position;
+  copy->parts = object->parts;
   copy->csg_depth = object->csg_depth;
   copy->copy_depth = object->copy_depth + 1;
   copy->base = std::move(object);

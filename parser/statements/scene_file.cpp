@@ -37,6 +37,7 @@ void add_camera(Parser& parser) {
 bool parse_statement(Parser& parser, TexturePtr& default_noted, NeedlessBounds& needless_bounds) {
   Scene& scene = parser.scene();
   if (ObjectPtr object = parse_object(parser)) {
+    parser.count_in_scene(*object);
     needless_bounds.warn_about(object);
     scene.objects.push_back(with_default_texture(parser, std::move(object), default_noted));
   } else if (parser.accept(Keyword::camera)) {

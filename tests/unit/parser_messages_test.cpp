@@ -145,16 +145,24 @@ TEST_F(ParserMessages, MacrosMayBeNestedDeeper) {
 
 TEST_F(ParserMessages, CopiesAreCounted) {
   const std::string doubling =
-      "#declare A = sphere { 0, 1 }\n#for (I, 1, 60)\n#declare A = union { object { A } object { A } }\n#end\n";
-  EXPECT_EQ(error_of(doubling), "");
-  EXPECT_NE(error_of(doubling + "object { A }\n").find("scene.pov:6:"), std::string::npos);
-  EXPECT_NE(error_of(doubling + "object { A }\n").find("--max-objects"), std::string::npos);
+      "#declare A = sphere { 0, 1 }\n#for (I, 1, 60)\n"
+      "#declare A = union { object { A } object { A } }\n#end\n";
+  EXPECT_NE(error_of(doubling).find("scene.pov:4:"), std::string::npos);
+  EXPECT_NE(error_of(doubling).find("--max-objects"), std::string::npos);
+  for (const char* statement : {"object { A clipped_by { object { A } } }",
+                                "light_source { 0, 1 looks_like { union { object { A } object { A } } } }"}) {
+    const std::string text = "#declare A = sphere { 0, 1 }\n#for (I, 1, 60)\n#declare A = " +
+                             std::string(statement) + "\n#end\n";
+    EXPECT_NE(error_of(text).find("--max-objects"), std::string::npos) << statement;
+  }
   const std::string trees =
       "#declare T = union { #for (I, 1, 1000) sphere { I, 1 } #end }\n"
       "#declare W = union { #for (I, 1, 1000) object { T translate I } #end }\n";
+  options_.limits.max_objects = 1'500'000;
   EXPECT_EQ(error_of(trees + "object { W }\n"), "");
+  EXPECT_NE(error_of(trees + "object { W }\nobject { W }\n").find("scene.pov:5:"), std::string::npos);
   options_.limits.max_objects = 999'999;
-  EXPECT_NE(error_of(trees + "object { W }\n").find("1e+06 objects"), std::string::npos);
+  EXPECT_NE(error_of(trees).find("1e+06 objects"), std::string::npos);
 }
 
 TEST_F(ParserMessages, DeepNestingIsStopped) {

@@ -57,8 +57,10 @@ struct ObjectNode {
   ObjectPtr base;
   std::vector<Modifier, NodeAllocator<Modifier>> modifiers;
   SourcePosition position;
-  // Levels of CSG below this object, and of copies of copies: the parser bounds both.
-  int csg_depth = 0, copy_depth = 0;
+  // Shapes that it stands for once its copies are written out, with those of its clips and bounds;
+  // levels of CSG below this object, and of copies of copies: the parser bounds them all.
+  float parts = 1;
+  uint16_t csg_depth = 0, copy_depth = 0;
 };
 
 // The textures that an object handle has after its modifiers (what `pigment{}` in a copy starts
