@@ -105,7 +105,8 @@ std::string state_identity(const Options& options, const FrameSettings& frame) {
                 r.quality, static_cast<int>(r.integrator), static_cast<int>(r.supersampling),
                 r.grid_samples, r.antialias_threshold, r.antialias_depth, r.jitter_amount,
                 r.antialias_gamma, r.block_size, r.output_alpha ? 1 : 0, frame.clock, frame.number,
-                static_cast<long long>(scene.st_size), static_cast<long long>(scene.st_mtim.tv_sec), scene.st_mtim.tv_nsec);
+                static_cast<long long>(scene.st_size),
+                static_cast<long long>(scene.st_mtim.tv_sec), scene.st_mtim.tv_nsec);
   return text;
 }
 

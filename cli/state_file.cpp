@@ -113,9 +113,9 @@ bool StateFile::create() {
 bool StateFile::is_file_there() const { return access(path_.c_str(), F_OK) == 0; }
 
 bool StateFile::add(const Framebuffer& block) {
+  BlockHead head{block.window(), checksum_of(block)};
   const std::lock_guard lock(mutex_);
   if (!good_) return true;
-  BlockHead head{block.window(), checksum_of(block)};
   const iovec parts[2] = {{&head, sizeof head},
                           {const_cast<PixelColor*>(block.pixels()), block.bytes()}};
   const off_t before = lseek(file_, 0, SEEK_CUR);

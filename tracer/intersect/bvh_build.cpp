@@ -40,7 +40,6 @@ float center(const BvhBuildItem& item, int axis) {
   return 0.5f * (item.low[axis] + item.high[axis]);
 }
 
-// Items that stay together, their box, and the box of twice their centres.
 // An item in registers, as rows: what is stored by halves cannot be loaded as a row at once.
 struct ItemRows {
   explicit ItemRows(const BvhBuildItem& item)
@@ -53,6 +52,7 @@ struct ItemRows {
   __m128 low, high;
 };
 
+// Items that stay together, their box, and the box of twice their centres.
 struct Range {
   uint32_t begin, end;
   Box box, centers;

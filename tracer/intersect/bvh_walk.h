@@ -4,6 +4,10 @@
 // that copy for all.)
 #pragma once
 
+#include <bit>
+#include <cstdint>
+#include <utility>
+
 #include "tracer/intersect/bvh_beam.h"
 
 namespace durer {

@@ -126,7 +126,8 @@ void render_block_without_antialiasing(const PixelSampler& sampler, const PixelW
   const PixelWindow wanted = intersection(block, window);
   if (wanted.is_empty()) return;
   for (int y = wanted.top; y < wanted.bottom; ++y) {
-    sample_row(sampler, wanted.left, y, wanted.width(), &framebuffer.at(wanted.left, y), statistics);
+    sample_row(sampler, wanted.left, y, wanted.width(), &framebuffer.at(wanted.left, y),
+               statistics);
   }
 }
 

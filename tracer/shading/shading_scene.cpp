@@ -12,8 +12,10 @@ void refuse_missing_features(const Scene& scene, int quality) {
   if (!scene.atmosphere.empty()) {
     throw NotSupported("media in the atmosphere", scene.atmosphere.front()->position);
   }
-  if (scene.settings.radiosity.enabled) throw NotSupported("radiosity", scene.settings.radiosity.position);
-  if (scene.settings.photons.enabled) throw NotSupported("photons", scene.settings.photons.position);
+  const RadiositySettings& radiosity = scene.settings.radiosity;
+  if (radiosity.enabled) throw NotSupported("radiosity", radiosity.position);
+  const PhotonGlobals& photons = scene.settings.photons;
+  if (photons.enabled) throw NotSupported("photons", photons.position);
 }
 
 void refuse_missing_features(const Scene& scene, const World& world, int quality) {

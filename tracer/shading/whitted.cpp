@@ -259,7 +259,8 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
   if (observer_) [[unlikely]] report(ray, ContributionKind::emission, filter * emission);
   if (!layer.is_lit) return sum;
   // Of a clear layer only highlights are seen.
-  if (opacity == 0 && !layer.is_lit_when_clear && !observer_ && (base * 0.0f).is_black()) return sum;
+  const bool is_unlit = opacity == 0 && !layer.is_lit_when_clear && (base * 0.0f).is_black();
+  if (is_unlit && !observer_) return sum;
   int place = 0;
   for (const int light : scene_.lights_of(*hit.surface.object)) {
     const RGB direct =
