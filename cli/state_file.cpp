@@ -1,6 +1,7 @@
 #include "cli/state_file.h"
 
 #include <fcntl.h>
+#include <libdeflate.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -31,26 +32,13 @@ bool read_all(int file, void* to, size_t size) {
 
 struct BlockHead {
   PixelWindow window;
-  uint64_t checksum;
+  uint32_t checksum;
 };
 
-// FNV-1a over words of 8 bytes: finds what a disk or an editor damaged.
-uint64_t checksum_of(const Framebuffer& block) {
-  uint64_t sum = 14695981039346656037u;
-  const char* next = reinterpret_cast<const char*>(block.pixels());
-  for (size_t left = block.bytes(); left > 0;) {
-    uint64_t word = 0;
-    const size_t size = std::min(left, sizeof word);
-    std::memcpy(&word, next, size);
-    sum = (sum ^ word) * 1099511628211u;
-    next += size;
-    left -= size;
-  }
-  const PixelWindow& window = block.window();
-  for (const int edge : {window.left, window.top, window.right, window.bottom}) {
-    sum = (sum ^ static_cast<uint64_t>(edge)) * 1099511628211u;
-  }
-  return sum;
+// Finds what a disk or an editor damaged.
+uint32_t checksum_of(const Framebuffer& block) {
+  const uint32_t of_pixels = libdeflate_crc32(0, block.pixels(), block.bytes());
+  return libdeflate_crc32(of_pixels, &block.window(), sizeof(PixelWindow));
 }
 
 bool has_head(int file, const std::string& head) {

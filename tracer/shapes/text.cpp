@@ -11,7 +11,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "tracer/system/shared_library.h"
 
@@ -49,11 +51,53 @@ class EdgeBox {
   bool overlaps(__m128 question) const {
     return _mm_movemask_ps(_mm_cmplt_ps(corners_, question)) == 0;
   }
+  float low_y() const { return -at(1); }
+  float high_y() const { return at(3); }
 
  private:
+  float at(int i) const {
+    alignas(16) float corners[4];
+    _mm_store_ps(corners, corners_);
+    return corners[i];
+  }
   static float wide(double x) { return static_cast<float>(x + 1e-5 * (1 + std::abs(x))); }
 
   __m128 corners_;  // -low, high
+};
+
+// Which edges may be met at a height: lists for the rows that an outline is cut into.
+class EdgeRows {
+ public:
+  // Of boxes that overlap [low, high].
+  EdgeRows(const std::vector<EdgeBox>& boxes, double low, double high)
+      : low_(low), rows_per_unit_(kRows / std::max(high - low, kGeometryEpsilon)) {
+    uint32_t count = 0;
+    for (int row = 0; row < kRows; ++row) {
+      first_[row] = count;
+      for (uint32_t i = 0; i < boxes.size(); ++i) {
+        if (row_of(boxes[i].low_y()) > row || row_of(boxes[i].high_y()) < row) continue;
+        edges_.push_back(i);
+        ++count;
+      }
+    }
+    first_[kRows] = count;
+  }
+
+  int row_of(double y) const {
+    const double row = (y - low_) * rows_per_unit_;
+    return row > 0 ? row < kRows ? static_cast<int>(row) : kRows - 1 : 0;
+  }
+  // Ascending.
+  std::span<const uint32_t> edges_in(int row) const {
+    return {edges_.data() + first_[row], edges_.data() + first_[row + 1]};
+  }
+
+ private:
+  static constexpr int kRows = 32;
+
+  double low_, rows_per_unit_;
+  uint32_t first_[kRows + 1];
+  std::vector<uint32_t> edges_;  // of one row after the other
 };
 
 // Roots in [0,1] of q[0] u^2 + q[1] u + q[2].
@@ -79,14 +123,11 @@ int solve_edge(const double* q, double* roots) {
 class Glyph final : public Shape {
  public:
   Glyph(std::vector<Edge> edges, double depth)
-      : edges_(std::move(edges)), edge_boxes_(edges_.begin(), edges_.end()), depth_(depth) {
-    for (const Edge& e : edges_) {
-      for (const Vec2& p : {e.a, e.c, e.curved ? e.b : e.a}) {
-        box_.extend(Vec3(p.x, p.y, -1e-6));
-        box_.extend(Vec3(p.x, p.y, depth + 1e-6));
-      }
-    }
-  }
+      : edges_(std::move(edges)),
+        edge_boxes_(edges_.begin(), edges_.end()),
+        depth_(depth),
+        box_(box_of(edges_, depth)),
+        rows_(edge_boxes_, box_.min.y, box_.max.y) {}
 
   Bounds bounds() const override { return box_; }
 
@@ -98,9 +139,10 @@ class Glyph final : public Shape {
     }
     // A ray along z meets no wall.
     if (d.x == 0 && d.y == 0) return;
-    const __m128 way = way_between_faces(p, d);
-    for (size_t i = 0; i < edges_.size(); ++i) {
-      if (!edge_boxes_[i].overlaps(way)) continue;
+    const auto [low, high] = way_between_faces(p, d);
+    const __m128 way = EdgeBox::question(low, high);
+    const auto meet_wall = [&](uint32_t i) {
+      if (!edge_boxes_[i].overlaps(way)) return;
       const Edge& e = edges_[i];
       const auto side = [&](const Vec2& q) { return d.x * (q.y - p.y) - d.y * (q.x - p.x); };
       const double a = side(e.a), c = side(e.c);
@@ -108,11 +150,11 @@ class Glyph final : public Shape {
       int count = 0;
       if (e.curved) {
         const double b = side(e.b);
-        if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) continue;
+        if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) return;
         const double q[3] = {a - 2 * b + c, 2 * (b - a), a};
         count = solve_edge(q, u);
       } else {
-        if (std::abs(c - a) < kGeometryEpsilon) continue;
+        if (std::abs(c - a) < kGeometryEpsilon) return;
         u[0] = -a / (c - a);
         if (u[0] >= 0 && u[0] <= 1) count = 1;
       }
@@ -121,9 +163,15 @@ class Glyph final : public Shape {
         const double t =
             std::abs(d.x) > std::abs(d.y) ? (at.x - p.x) / d.x : (at.y - p.y) / d.y;
         const double z = p.z + t * d.z;
-        if (z >= 0 && z <= depth_ && t > 1e-6)
-          out.push(t, static_cast<uint32_t>(i) + 2, static_cast<float>(u[k]));
+        if (z >= 0 && z <= depth_ && t > 1e-6) out.push(t, i + 2, static_cast<float>(u[k]));
       }
+    };
+    const int row = rows_.row_of(low.y);
+    if (row == rows_.row_of(high.y)) {
+      for (const uint32_t i : rows_.edges_in(row)) meet_wall(i);
+    } else {
+      const uint32_t count = static_cast<uint32_t>(edges_.size());
+      for (uint32_t i = 0; i < count; ++i) meet_wall(i);
     }
   }
 
@@ -143,8 +191,19 @@ class Glyph final : public Shape {
     if (t > 1e-6 && covers(p.x + t * d.x, p.y + t * d.y)) out.push(t, part);
   }
 
-  // Around the part of a ray that may meet walls, for EdgeBox.
-  __m128 way_between_faces(const Vec3& p, const Vec3& d) const {
+  static Bounds box_of(const std::vector<Edge>& edges, double depth) {
+    Bounds box;
+    for (const Edge& e : edges) {
+      for (const Vec2& p : {e.a, e.c, e.curved ? e.b : e.a}) {
+        box.extend(Vec3(p.x, p.y, -1e-6));
+        box.extend(Vec3(p.x, p.y, depth + 1e-6));
+      }
+    }
+    return box;
+  }
+
+  // The corners of a box around the part of a ray that may meet walls.
+  std::pair<Vec2, Vec2> way_between_faces(const Vec3& p, const Vec3& d) const {
     double first = 0, last = std::numeric_limits<double>::infinity();
     if (d.z != 0) {
       const double near = -p.z / d.z, far = (depth_ - p.z) / d.z;
@@ -156,7 +215,7 @@ class Glyph final : public Shape {
     };
     const Vec2 start(along(p.x, d.x, first), along(p.y, d.y, first));
     const Vec2 end(along(p.x, d.x, last), along(p.y, d.y, last));
-    return EdgeBox::question(glm::min(start, end), glm::max(start, end));
+    return {glm::min(start, end), glm::max(start, end)};
   }
 
   // Even-odd parity along +x.
@@ -165,7 +224,7 @@ class Glyph final : public Shape {
     bool inside = false;
     const __m128 way =
         EdgeBox::question(Vec2(x, y), Vec2(std::numeric_limits<double>::infinity(), y));
-    for (size_t i = 0; i < edges_.size(); ++i) {
+    for (const uint32_t i : rows_.edges_in(rows_.row_of(y))) {
       if (!edge_boxes_[i].overlaps(way)) continue;
       const Edge& e = edges_[i];
       if (!e.curved) {
@@ -198,6 +257,7 @@ class Glyph final : public Shape {
   std::vector<EdgeBox> edge_boxes_;  // of the same
   double depth_;
   Bounds box_;
+  EdgeRows rows_;
 };
 
 struct FreeType {
