@@ -106,13 +106,14 @@ bool StateFile::add(const Framebuffer& block) {
   if (!good_) return true;
   const iovec parts[2] = {{&head, sizeof head},
                           {const_cast<PixelColor*>(block.pixels()), block.bytes()}};
-  const off_t before = lseek(file_, 0, SEEK_CUR);
   const ssize_t whole = static_cast<ssize_t>(sizeof head + block.bytes());
   errno = ENOSPC;  // what a short write without an error means
-  if (writev(file_, parts, 2) == whole) return true;
+  const ssize_t written = writev(file_, parts, 2);
+  if (written == whole) return true;
   good_ = false;
   // Half a block would be taken for none, but the next run should not have to find out.
   const int reason = errno;
+  const off_t before = lseek(file_, 0, SEEK_CUR) - std::max<ssize_t>(written, 0);
   if (ftruncate(file_, before) == 0) errno = reason;
   errno = reason;
   return false;

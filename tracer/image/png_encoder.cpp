@@ -79,11 +79,21 @@ class PngRows {
 // larger ones row by row.
 constexpr size_t kMostAtOnce = size_t{8} << 20;
 
+// Not cleared: memory that is not written need not be touched.
+struct Bytes {
+  Bytes() = default;
+  explicit Bytes(size_t count)
+      : data(std::make_unique_for_overwrite<png_byte[]>(count)), size(count) {}
+
+  std::unique_ptr<png_byte[]> data;
+  size_t size = 0;
+};
+
 // All rows, each less the pixel to the left (PNG's filter Sub), as one zlib stream.
-std::vector<png_byte> compressed_rows(PngRows& rows, int height, int level) {
+Bytes compressed_rows(PngRows& rows, int height, int level) {
   const size_t bytes = rows.bytes(), step = rows.bytes_of_pixel();
-  std::vector<png_byte> filtered((bytes + 1) * static_cast<size_t>(height));
-  png_bytep out = filtered.data();
+  const Bytes filtered((bytes + 1) * static_cast<size_t>(height));
+  png_bytep out = filtered.data.get();
   for (int y = 0; y < height; ++y) {
     const png_byte* const row = rows.row(y);
     *out++ = PNG_FILTER_VALUE_SUB;
@@ -94,9 +104,9 @@ std::vector<png_byte> compressed_rows(PngRows& rows, int height, int level) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
       libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
   if (!compressor) throw std::bad_alloc();
-  std::vector<png_byte> stream(libdeflate_zlib_compress_bound(compressor.get(), filtered.size()));
-  stream.resize(libdeflate_zlib_compress(compressor.get(), filtered.data(), filtered.size(),
-                                         stream.data(), stream.size()));
+  Bytes stream(libdeflate_zlib_compress_bound(compressor.get(), filtered.size));
+  stream.size = libdeflate_zlib_compress(compressor.get(), filtered.data.get(), filtered.size,
+                                         stream.data.get(), stream.size);
   return stream;
 }
 
@@ -106,7 +116,7 @@ void encode_png(std::FILE* file, const Picture& picture, const PictureOutput& ou
   const PixelFormat& format = output.format;
   PngRows rows(picture, format);
   const bool level_given = output.compression >= 1 && output.compression <= 9;
-  std::vector<png_byte> stream;
+  Bytes stream;
   if ((rows.bytes() + 1) * static_cast<size_t>(picture.height()) <= kMostAtOnce) {
     stream = compressed_rows(rows, picture.height(), level_given ? output.compression : 1);
   }
@@ -139,8 +149,8 @@ void encode_png(std::FILE* file, const Picture& picture, const PictureOutput& ou
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_set_compression_level(png, level_given ? output.compression : 3);
   png_write_info(png, info);
-  if (!stream.empty()) {
-    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), stream.data(), stream.size());
+  if (stream.size > 0) {
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), stream.data.get(), stream.size);
     png_write_chunk(png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
   } else {
     for (int y = 0; y < picture.height(); ++y) png_write_row(png, rows.row(y));
