@@ -209,7 +209,7 @@ class CameraReader {
     if (camera_.angle >= 180) parser_.error("the camera's angle must be less than 180 degrees");
     const double distance =
         length(camera_.right) / (2 * std::tan(camera_.angle / 2 * kDegree));
-    camera_.direction = normalize_or_zero(camera_.direction) * distance;
+    camera_.direction = unit_or_zero(camera_.direction) * distance;
     default_focus_ = distance;
   }
 
@@ -222,7 +222,7 @@ class CameraReader {
     if (dot(towards, towards) < kEpsilon) {
       parser_.error("the camera's location and look_at are the same point");
     }
-    const Vec3 forward = normalize_or_zero(towards);
+    const Vec3 forward = unit_or_zero(towards);
     Vec3 right = cross(camera_.sky, forward);
     if (std::abs(right.x) < kEpsilon && std::abs(right.y) < kEpsilon &&
         std::abs(right.z) < kEpsilon) {
@@ -231,7 +231,7 @@ class CameraReader {
       }
       right = camera_.right;
     }
-    right = normalize_or_zero(right);
+    right = unit_or_zero(right);
     default_focus_ = d;
     camera_.direction = d * forward;
     camera_.right = handedness * w * right;

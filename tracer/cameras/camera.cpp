@@ -26,17 +26,17 @@ Camera::Camera(const CameraNode& node, int width, int height, const TextureSetti
     : node_(node),
       width_(width),
       height_(height),
-      direction_(normalize_or_zero(node.direction)),
-      right_(normalize_or_zero(node.right)),
-      up_(normalize_or_zero(node.up)),
+      direction_(unit_or_zero(node.direction)),
+      right_(unit_or_zero(node.right)),
+      up_(unit_or_zero(node.up)),
       right_length_(length(node.right)),
       up_length_(length(node.up)),
       angle_(radians(node.angle)) {
   if (node.kind == CameraKind::mesh) mesh_ = std::make_unique<MeshCamera>(node, width, height);
   if (node.normal) normal_ = compile_normal(*node.normal, textures);
-  const Vec3 across = normalize_or_zero(cross(node.up, node.direction));
+  const Vec3 across = unit_or_zero(cross(node.up, node.direction));
   lens_right_ = node.aperture / 2 * across;
-  lens_up_ = node.aperture / 2 * normalize_or_zero(cross(node.direction, across));
+  lens_up_ = node.aperture / 2 * unit_or_zero(cross(node.direction, across));
   focus_ = node.focal_distance / length(node.direction);
 }
 
@@ -80,7 +80,7 @@ Vec3 Camera::finished_direction(const Vec3& direction, const Vec2& place) const 
   TextureContext context;
   context.normal = straight;
   context.ray_direction = straight;
-  return normalize_or_zero(normal_->perturb({place.x, place.y, 0}, context, straight));
+  return unit_or_zero(normal_->perturb({place.x, place.y, 0}, context, straight));
 }
 
 bool Camera::view_of_fisheye(double a, double b, View& view) const {
@@ -118,8 +118,9 @@ bool Camera::view_of_omnimax(double a, double b, View& view) const {
 }
 
 bool Camera::view_of(double x, double y, int ray_of_pixel, View& view) const {
-  const double u = x / width_, v = y / height_;
-  const double a = u - 0.5, b = 0.5 - v;
+  // Rounded as POV-Ray's: surfaces that coincide and fractals depend on a ray's last bits.
+  const double u = x / width_, v = (height_ - y) / height_;
+  const double a = u - 0.5, b = v - 0.5;
   view.origin = node_.location;
   switch (node_.kind) {
     case CameraKind::perspective:

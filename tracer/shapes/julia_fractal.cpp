@@ -192,7 +192,7 @@ class JuliaFractal final : public Shape {
       Vec4* orbit = nullptr;
       if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
       remember(orbit, 0, z);
-      Vec4 q(1, 0, 0, 0);
+      Vec4 q = z;  // the first factor, which counts even where no step is taken
       for (int i = 0; i < iterations_; ++i) {
         const double size2 = glm::dot(z, z);
         if (size2 > escape2_) {
@@ -203,7 +203,7 @@ class JuliaFractal final : public Shape {
           return false;
         }
         const Vec4 factor = map_.factor_of_step(z, i);
-        q = i == 0 ? factor : hypercomplex_product(q, factor);
+        if (i > 0) q = hypercomplex_product(q, factor);
         remember(orbit, i + 1, z);
       }
       return true;

@@ -40,6 +40,13 @@ Complex hyperbolic_tangent(const Complex& z) {
   const double x = 2 * z.real(), y = 2 * z.imag();
   return Complex(std::sinh(x), std::sin(y)) / (std::cosh(x) + std::cos(y));
 }
+// By the schoolbook: the imaginary part of a quotient of real numbers is +0, on that side of the
+// logarithm's cut.
+Complex quotient(const Complex& a, const Complex& b) {
+  const Complex product = a * std::conj(b);
+  const double size2 = std::norm(b);
+  return {product.real() / size2, product.imag() / size2};
+}
 Complex arc_sine(const Complex& z) {
   return -times_i(logarithm(times_i(z) + square_root(1.0 - z * z)));
 }
@@ -50,12 +57,12 @@ Complex arc_cosine(const Complex& z) {
 Complex arc_tangent(const Complex& z) {
   if (z.imag() == 0) return {std::atan(z.real()), 0};
   if (z.real() == 0 && std::abs(z.imag()) < 1) return {0, std::atanh(z.imag())};
-  return 0.5 * times_i(logarithm((1.0 - times_i(z)) / (1.0 + times_i(z))));
+  return 0.5 * times_i(logarithm(quotient(1.0 - times_i(z), 1.0 + times_i(z))));
 }
 Complex hyperbolic_arc_tangent(const Complex& z) {
   if (z.real() == 0) return {0, std::atan(z.imag())};
   if (z.imag() == 0 && std::abs(z.real()) == 1) return z;
-  return 0.5 * logarithm((1.0 + z) / (1.0 - z));
+  return 0.5 * logarithm(quotient(1.0 + z, 1.0 - z));
 }
 Complex power_of(const Complex& z, const Vec2& power) {
   if (z == Complex(0)) return 0;
