@@ -87,7 +87,7 @@ bool Camera::view_of_fisheye(double a, double b, View& view) const {
   const double x = 2 * a * right_length_, y = 2 * b * up_length_;
   const double radius = std::sqrt(x * x + y * y);
   if (radius > 1) return false;
-  const double phi = polar_angle(x, y, radius), t = radius * angle_ / 2;
+  const double phi = polar_angle(x, y, radius), t = radians(radius * (node_.angle / 2));
   view.direction = std::cos(phi) * std::sin(t) * right_ + std::sin(phi) * std::sin(t) * up_ +
                    std::cos(t) * direction_;
   view.place = {phi, t};
@@ -108,8 +108,8 @@ bool Camera::view_of_omnimax(double a, double b, View& view) const {
   const double radius = std::sqrt(x * x + y * y);
   if (radius > 1) return false;
   const double phi = polar_angle(x, y, radius);
-  const double t =
-      1.411269 * radius - 0.09439 * radius * radius * radius + 0.25674 * std::pow(radius, 5);
+  const double t = 1.411269 * radius - 0.09439 * radius * radius * radius +
+                   0.25674 * radius * radius * radius * radius * radius;
   if (std::sin(phi) * std::sin(t) < std::tan(radians(135)) * std::cos(t)) return false;
   view.direction = std::cos(phi) * std::sin(t) * right_ + std::sin(phi) * std::sin(t) * up_ +
                    std::cos(t) * direction_;
@@ -135,7 +135,7 @@ bool Camera::view_of(double x, double y, int ray_of_pixel, View& view) const {
     case CameraKind::fisheye:
       return view_of_fisheye(a, b, view);
     case CameraKind::ultra_wide_angle: {
-      const double alpha = a * angle_, beta = b * angle_ * up_length_ / right_length_;
+      const double alpha = a * angle_, beta = b * (angle_ * up_length_ / right_length_);
       view.direction = std::sin(alpha) * right_ + std::sin(beta) * up_ +
                        std::cos(alpha) * std::cos(beta) * direction_;
       view.place = {alpha, beta};
