@@ -1,5 +1,6 @@
 #include "tracer/math/polynomial.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace durer {
@@ -29,6 +30,7 @@ struct SturmTerm {
   double c[kMostPolynomialDegree + 1];  // ascending powers
 
   double value(double x) const {
+    if (degree == 4) return (((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0];
     double sum = c[degree];
     for (int i = degree - 1; i >= 0; --i) sum = sum * x + c[i];
     return sum;
@@ -55,10 +57,9 @@ struct SturmSequence {
   }
 };
 
-// r = -(u mod v), scaled to a leading coefficient of ±1. Returns its degree.
-int negated_remainder(const SturmTerm& u, const SturmTerm& v, SturmTerm& r) {
-  r = u;
-  // v's leading coefficient is ±1.
+// r = -(u mod v), scaled to a leading coefficient of ±1. v's is ±1.
+void find_negated_remainder(const SturmTerm& u, const SturmTerm& v, SturmTerm& r) {
+  std::copy_n(u.c, u.degree + 1, r.c);
   const double sign = v.c[v.degree] < 0 ? -1 : 1;
   for (int k = u.degree - v.degree; k >= 0; --k) {
     const double factor = r.c[v.degree + k] * sign;
@@ -69,11 +70,32 @@ int negated_remainder(const SturmTerm& u, const SturmTerm& v, SturmTerm& r) {
   r.degree = degree < 0 ? 0 : degree;
   if (degree < 0) {
     r.c[0] = 0;
-    return 0;
+    return;
   }
   const double scale = -1 / std::abs(r.c[degree]);
   for (int j = 0; j <= degree; ++j) r.c[j] *= scale;
-  return r.degree;
+}
+
+// The same, and all that follow, while each is of one degree less than the one before: of degrees that
+// the compiler knows. The last term is of degree kDegree - 1.
+template <int kDegree>
+void append_regular_terms(SturmSequence& s) {
+  if constexpr (kDegree > 1) {
+    const double *u = s.term[s.last - 1].c, *v = s.term[s.last].c;
+    double r[kDegree];
+    const double sign = v[kDegree - 1] < 0 ? -1 : 1;
+    const double first = u[kDegree] * sign;
+    r[0] = u[0];
+    for (int i = 1; i < kDegree; ++i) r[i] = u[i] - first * v[i - 1];
+    const double second = r[kDegree - 1] * sign;
+    for (int i = 0; i < kDegree - 1; ++i) r[i] -= second * v[i];
+    if (!(std::abs(r[kDegree - 2]) >= kEpsilon)) return;
+    const double scale = -1 / std::abs(r[kDegree - 2]);
+    SturmTerm& next = s.term[++s.last];
+    next.degree = kDegree - 2;
+    for (int i = 0; i < kDegree - 1; ++i) next.c[i] = r[i] * scale;
+    append_regular_terms<kDegree - 1>(s);
+  }
 }
 
 void build(SturmSequence& s, int degree, const double* c) {
@@ -83,8 +105,15 @@ void build(SturmSequence& s, int degree, const double* c) {
   const double scale = 1 / std::abs(s.term[0].c[degree] * degree);
   for (int i = 1; i <= degree; ++i) s.term[1].c[i - 1] = s.term[0].c[i] * i * scale;
   s.last = 1;
+  switch (degree) {
+    case 3: append_regular_terms<3>(s); break;
+    case 4: append_regular_terms<4>(s); break;
+    case 5: append_regular_terms<5>(s); break;
+    case 6: append_regular_terms<6>(s); break;
+    default: break;
+  }
   while (s.term[s.last].degree > 0) {
-    negated_remainder(s.term[s.last - 1], s.term[s.last], s.term[s.last + 1]);
+    find_negated_remainder(s.term[s.last - 1], s.term[s.last], s.term[s.last + 1]);
     const SturmTerm& next = s.term[s.last + 1];
     if (next.degree == 0 && next.c[0] == 0) break;  // multiple root
     ++s.last;

@@ -20,13 +20,14 @@ struct Term {
 
 class Poly final : public Shape {
  public:
-  explicit Poly(const PolyNode& node) : order_(node.order), sturm_(node.sturm) {
+  explicit Poly(const PolyNode& node)
+      : coefficients_(node.coefficients), order_(node.order), sturm_(node.sturm) {
     size_t next = 0;
+    coefficients_.resize(static_cast<size_t>((order_ + 1) * (order_ + 2) * (order_ + 3) / 6));
     for (int i = order_; i >= 0; --i) {
       for (int j = order_ - i; j >= 0; --j) {
         for (int k = order_ - i - j; k >= 0; --k) {
-          const double c = next < node.coefficients.size() ? node.coefficients[next] : 0;
-          ++next;
+          const double c = coefficients_[next++];
           if (c != 0) terms_.push_back({c, i, j, k});
         }
       }
@@ -39,7 +40,11 @@ class Poly final : public Shape {
     const double scale = 1 / length(ray.direction);
     const Vec3 d = ray.direction * scale;
     double c[kMostPolynomialDegree + 1];
-    substitute(ray.origin, d, c);
+    switch (order_) {
+      case 3: substitute_in<3>(ray.origin, d, c); break;
+      case 4: substitute_in<4>(ray.origin, d, c); break;
+      default: substitute(ray.origin, d, c);
+    }
     double roots[kMostPolynomialDegree];
     int count = 0;
     if (order_ == 2) {
@@ -146,6 +151,39 @@ class Poly final : public Shape {
     for (int i = 0; i <= n; ++i) c[n - i] = i <= degree_x ? all[i] : 0;
   }
 
+  // The same of an order that the compiler knows: all loops unrolled, and no coefficient left out.
+  template <int kOrder>
+  void substitute_in(const Vec3& p, const Vec3& d, double* c) const {
+    const double* next = coefficients_.data();
+    const auto times_line = [](double* q, int degree, double constant, double slope) {
+      q[degree + 1] = q[degree] * slope;
+#pragma GCC unroll 8
+      for (int i = degree; i > 0; --i) q[i] = q[i] * constant + q[i - 1] * slope;
+      q[0] *= constant;
+    };
+    double all[kOrder + 1] = {};
+#pragma GCC unroll 8
+    for (int i = kOrder; i >= 0; --i) {
+      if (i < kOrder) times_line(all, kOrder - i - 1, p.x, d.x);
+      double inner[kOrder + 1] = {};
+#pragma GCC unroll 8
+      for (int j = kOrder - i; j >= 0; --j) {
+        if (j < kOrder - i) times_line(inner, kOrder - i - j - 1, p.y, d.y);
+        double innermost[kOrder + 1] = {};
+#pragma GCC unroll 8
+        for (int k = kOrder - i - j; k >= 0; --k) {
+          if (k < kOrder - i - j) times_line(innermost, kOrder - i - j - k - 1, p.z, d.z);
+          innermost[0] += *next++;
+        }
+#pragma GCC unroll 8
+        for (int m = 0; m <= kOrder - i - j; ++m) inner[m] += innermost[m];
+      }
+#pragma GCC unroll 8
+      for (int m = 0; m <= kOrder - i; ++m) all[m] += inner[m];
+    }
+    for (int i = 0; i <= kOrder; ++i) c[kOrder - i] = all[i];
+  }
+
   static int solve_second_order(const double* c, double* roots) {
     if (std::abs(c[0]) < kLeastCoefficient) {
       if (std::abs(c[1]) < kLeastCoefficient) return 0;
@@ -160,7 +198,8 @@ class Poly final : public Shape {
     return 2;
   }
 
-  std::vector<Term> terms_;  // in the order of the statement
+  std::vector<double> coefficients_;  // all, in the order of the statement
+  std::vector<Term> terms_;           // those that are not 0
   int order_;
   bool sturm_;
 };
