@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "tracer/math/min_max.h"
 
 namespace durer {
 namespace {
@@ -40,6 +43,9 @@ struct SturmTerm {
 struct SturmSequence {
   SturmTerm term[kMostPolynomialDegree + 1];
   int last;
+  // From here on all terms have the sign of their leading coefficients, beyond all rounding: twice
+  // Cauchy's bound of their roots.
+  double all_roots_below;
 
   template <typename Value>
   int sign_changes(Value&& value) const {
@@ -118,12 +124,36 @@ void build(SturmSequence& s, int degree, const double* c) {
     if (next.degree == 0 && next.c[0] == 0) break;  // multiple root
     ++s.last;
   }
+  double largest = 0;
+  for (int i = 0; i <= s.last; ++i) {
+    const SturmTerm& t = s.term[i];
+    for (int j = 0; j < t.degree; ++j) largest = larger_of(std::abs(t.c[j]), largest);
+  }
+  s.all_roots_below = 2 * (1 + largest);
+}
+
+// Whether an error is small at x. Nearly all are not, which is told without the quotient.
+bool is_small(double error, double x) {
+  if (std::abs(x) <= kRelativeError) return std::abs(error) < kRelativeError;
+  return std::abs(error) <= 2 * kRelativeError * std::abs(x) &&
+         std::abs(error / x) < kRelativeError;
+}
+
+// Whether regula falsi cannot leave the neighbourhood of 0: each step halves f(b) at most and is at
+// most |f(0)| b / |f(b)| times 3/2 long while f is about f(0); the sum of all steps, 3/2 2^50 times that,
+// changes f by no more than |f(0)| / 2. So it is where b is as far as most searches start.
+bool is_stuck_at_zero(const SturmTerm& f, double b, double fb) {
+  double sum = 0;
+  for (int i = 0; i <= f.degree; ++i) sum += std::abs(f.c[i]);
+  constexpr double kMostGrowth = 4.0 * (int64_t{1} << kMostHalvings);
+  return std::abs(f.c[0]) > kEpsilon && std::abs(fb) > kMostGrowth * b * sum;
 }
 
 // The one root of s in (a, b], by the Illinois form of regula falsi; false: no convergence.
 bool regula_falsi(const SturmTerm& f, double a, double b, double& root) {
   double fa = f.value(a), fb = f.value(b);
   if (fa * fb > 0) return false;
+  if (a == 0 && is_stuck_at_zero(f, b, fb)) return false;
   if (std::abs(fa) < kEpsilon) {
     root = a;
     return true;
@@ -136,8 +166,7 @@ bool regula_falsi(const SturmTerm& f, double a, double b, double& root) {
   for (int i = 0; i < kMostHalvings; ++i) {
     const double x = (fb * a - fa * b) / (fb - fa);
     const double fx = f.value(x);
-    if (std::abs(x) > kRelativeError ? std::abs(fx / x) < kRelativeError
-                                     : std::abs(fx) < kRelativeError) {
+    if (is_small(fx, x)) {
       root = x;
       return true;
     }
@@ -159,36 +188,44 @@ bool regula_falsi(const SturmTerm& f, double a, double b, double& root) {
   return false;
 }
 
+// Halves [0, high] while all roots are in the lower half without a doubt; returns how often.
+int halve_to_bound(const SturmSequence& s, double low, double& high) {
+  int halvings = 0;
+  if (low != 0) return halvings;
+  for (; halvings < kMostHalvings && high / 2 > s.all_roots_below; ++halvings) high /= 2;
+  return halvings;
+}
+
+// The one root of the sequence in (low, high] by bisection. Sign changes tell on which side it is; so
+// does the sign of the polynomial itself, where it has one at either end.
+double bisect(const SturmSequence& s, double low, double high, int low_changes) {
+  const SturmTerm& f = s.term[0];
+  const double at_low = f.value(low);
+  const bool crosses = at_low * f.value(high) < 0;
+  for (int i = halve_to_bound(s, low, high); i < kMostHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    if (is_small(high - low, middle)) return middle;
+    const bool is_above =
+        crosses ? f.value(middle) * at_low > 0 : low_changes == s.changes_at(middle);
+    low = is_above ? middle : low;
+    high = is_above ? high : middle;
+  }
+  return (low + high) / 2;
+}
+
 // Writes the roots in (low, high], ascending; changes are the sign changes at both ends.
 int isolate(const SturmSequence& s, double low, double high, int low_changes, int high_changes,
             double* roots) {
   const int count = low_changes - high_changes;
   if (count <= 0) return 0;
   if (count == 1) {
-    if (regula_falsi(s.term[0], low, high, roots[0])) return 1;
-    // Plain bisection by sign changes.
-    for (int i = 0; i < kMostHalvings; ++i) {
-      const double middle = (low + high) / 2;
-      const int changes = s.changes_at(middle);
-      if (std::abs(middle) > kRelativeError ? std::abs((high - low) / middle) < kRelativeError
-                                            : std::abs(high - low) < kRelativeError) {
-        roots[0] = middle;
-        return 1;
-      }
-      if (low_changes - changes == 0) {
-        low = middle;
-      } else {
-        high = middle;
-      }
-    }
-    roots[0] = (low + high) / 2;
+    if (!regula_falsi(s.term[0], low, high, roots[0])) roots[0] = bisect(s, low, high, low_changes);
     return 1;
   }
   // Several: halve until they part.
-  for (int i = 0; i < kMostHalvings; ++i) {
+  for (int i = halve_to_bound(s, low, high); i < kMostHalvings; ++i) {
     const double middle = (low + high) / 2;
-    if (std::abs(middle) > kRelativeError ? std::abs((high - low) / middle) < kRelativeError
-                                          : std::abs(high - low) < kRelativeError) {
+    if (is_small(high - low, middle)) {
       roots[0] = middle;
       return 1;
     }
@@ -335,8 +372,9 @@ int solve_sturm(int degree, const double* c, double* roots, double farthest) {
   const int at_zero = sequence.sign_changes([](const SturmTerm& t) { return t.c[0]; });
   const int at_infinity = sequence.sign_changes([](const SturmTerm& t) { return t.c[t.degree]; });
   if (at_zero == at_infinity) return 0;
-  const int low = sequence.changes_at(0), high = sequence.changes_at(farthest);
-  return isolate(sequence, 0, farthest, low, high, roots);
+  const int up_to_farthest =
+      farthest > sequence.all_roots_below ? at_infinity : sequence.changes_at(farthest);
+  return isolate(sequence, 0, farthest, at_zero, up_to_farthest, roots);
 }
 
 int solve_polynomial(int degree, const double* c, bool sturm, double epsilon, double* roots,
