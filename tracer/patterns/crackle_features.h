@@ -1,0 +1,24 @@
+// The random points of a cell of `crackle` and the 26 around it, and which of them are nearest to a
+// point (spec/textures.md 6.4).
+#pragma once
+
+#include "tracer/math/vector.h"
+
+namespace durer {
+
+struct AdjacentFeatures {
+  static constexpr int kCount = 28;  // the last one is far off
+
+  Vec3 cell;
+  alignas(32) double x[kCount], y[kCount], z[kCount];
+};
+
+// Of the cell with this lower corner. They depend on nothing else, and rays that follow each other ask for
+// the same ones: a thread keeps some. Until the next call. `random`: pattern_random_table().
+const AdjacentFeatures& features_around(const Vec3& cell, const double* random);
+// The three least squared distances, ascending.
+void find_nearest(const AdjacentFeatures& features, const Vec3& point, double (&squares)[3]);
+// The one at this squared distance.
+Vec3 feature_at(const AdjacentFeatures& features, const Vec3& point, double square);
+
+}  // namespace durer
