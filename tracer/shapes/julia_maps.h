@@ -2,8 +2,10 @@
 // estimates and normals are made of (spec/geometry.md 12.15).
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 
 #include "tracer/scene/shapes.h"
 
@@ -67,7 +69,11 @@ struct HypercomplexSquare {
     z = (*this)(z);
     return before;
   }
-  static double scale(int m) { return m == 0 ? 2 : std::ldexp(1.0, m); }
+  // 2^m, but for m = 0.
+  static double scale(int m) {
+    if (m == 0) return 2;
+    return m < 1024 ? std::bit_cast<double>(static_cast<uint64_t>(1023 + m) << 52) : HUGE_VAL;
+  }
 };
 
 // POV-Ray iterates the square for `cube`, too, but with another estimate of the distance.

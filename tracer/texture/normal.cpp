@@ -1,5 +1,6 @@
 // Perturbed normals (spec/textures.md 14).
 #include <cmath>
+#include <optional>
 
 #include "tracer/image/image.h"
 #include "tracer/patterns/facets.h"
@@ -107,7 +108,9 @@ class HeightBump : public Bump {
       : pattern_(pattern),
         amount_(node.bump_size),
         accuracy_(node.accuracy),
-        slope_map_(node.slope_map) {}
+        slope_map_(node.slope_map) {
+    if (slope_map_) slope_positions_.emplace(slope_map_->entries);
+  }
 
   Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext& context) const override {
     static constexpr double kDirections[4][3] = {{0.942809041, -0.333333333, 0},
@@ -129,7 +132,7 @@ class HeightBump : public Bump {
   double height(double value) const {
     if (!slope_map_) return value;
     const auto& entries = slope_map_->entries;
-    const MapPlace place = find_in_map(entries, value);
+    const MapPlace place = slope_positions_->find(value);
     const SlopeAt& low = entries[place.lower].item;
     if (place.lower == place.upper) return low.height;
     const SlopeAt& high = entries[place.upper].item;
@@ -141,6 +144,7 @@ class HeightBump : public Bump {
   const Pattern& pattern_;
   double amount_, accuracy_;
   std::shared_ptr<const SlopeMap> slope_map_;
+  std::optional<MapPositions> slope_positions_;
 };
 
 class FacetsBump : public Bump {
@@ -213,13 +217,14 @@ class MappedNormal : public CompiledNormal {
   MappedNormal(const NormalNode& node, const TextureSettings& settings)
       : pattern_(node.pattern, settings.patterns),
         frame_(node.pattern->warps, settings.no_bump_scale),
-        entries_(compile_entries(*node.normal_map, settings)) {}
+        entries_(compile_entries(*node.normal_map, settings)),
+        positions_(entries_) {}
 
   Vec3 perturb(const Vec3& point, const TextureContext& context,
                const Vec3& normal) const override {
     const Vec3 q = pattern_.warp_point(point);
     const Vec3 n = frame_.inwards(normal);
-    const MapPlace place = find_in_map(entries_, pattern_.value_at_warped(q, context));
+    const MapPlace place = positions_.find(pattern_.value_at_warped(q, context));
     Vec3 bent = entries_[place.lower].item->perturb(q, context, n);
     if (place.lower != place.upper) {
       const Vec3 upper = entries_[place.upper].item->perturb(q, context, n);
@@ -232,6 +237,7 @@ class MappedNormal : public CompiledNormal {
   Pattern pattern_;
   NormalFrame frame_;
   std::vector<NormalEntry> entries_;
+  MapPositions positions_;
 };
 
 class AverageNormal : public CompiledNormal {

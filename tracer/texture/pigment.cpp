@@ -34,11 +34,12 @@ class ColorMapPigment : public CompiledPigment {
   ColorMapPigment(const PigmentNode& node, const PatternSettings& settings)
       : pattern_(node.pattern, settings),
         entries_((node.maps->color_map ? *node.maps->color_map : default_color_map(node.pattern))
-                     .entries) {}
+                     .entries),
+        positions_(entries_) {}
 
   bool evaluate(const Vec3& point, const TextureContext& context,
                 ColorRGBFT& color) const override {
-    const MapPlace place = find_in_map(entries_, pattern_.value(point, context));
+    const MapPlace place = positions_.find(pattern_.value(point, context));
     if (place.lower == place.upper) {
       color = entries_[place.lower].item;
     } else {
@@ -55,6 +56,7 @@ class ColorMapPigment : public CompiledPigment {
  private:
   Pattern pattern_;
   std::vector<MapEntry<ColorRGBFT>> entries_;
+  MapPositions positions_;
 };
 
 using PigmentEntry = MapEntry<std::shared_ptr<const CompiledPigment>>;
@@ -76,12 +78,13 @@ class PigmentMapPigment : public CompiledPigment {
  public:
   PigmentMapPigment(const PigmentNode& node, const TextureSettings& settings)
       : pattern_(node.pattern, settings.patterns),
-        entries_(compile_entries(*node.maps->pigment_map, settings)) {}
+        entries_(compile_entries(*node.maps->pigment_map, settings)),
+        positions_(entries_) {}
 
   bool evaluate(const Vec3& point, const TextureContext& context,
                 ColorRGBFT& color) const override {
     const Vec3 warped = pattern_.warp_point(point);
-    const MapPlace place = find_in_map(entries_, pattern_.value_at_warped(warped, context));
+    const MapPlace place = positions_.find(pattern_.value_at_warped(warped, context));
     const bool found = entries_[place.lower].item->evaluate(warped, context, color);
     if (place.lower == place.upper) return found;
     ColorRGBFT upper;
@@ -94,6 +97,7 @@ class PigmentMapPigment : public CompiledPigment {
  private:
   Pattern pattern_;
   std::vector<PigmentEntry> entries_;
+  MapPositions positions_;
 };
 
 // The weighted mean of its entries.

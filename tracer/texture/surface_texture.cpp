@@ -26,13 +26,13 @@ class MapSelector : public TextureSelector {
               const TextureSettings& settings)
       : TextureSelector(node),
         pattern_(node.choice->pattern, settings.patterns),
-        entries_(std::move(entries)) {}
+        entries_(std::move(entries)),
+        positions_(entries_) {}
 
   int select(const Vec3& point, const TextureContext& context, Vec3& child_point,
              WeightedTexture out[kMostTextures]) const override {
     child_point = pattern_.warp_point(point);
-    const MapPlace place =
-        find_in_map(entries_, pattern_.value_at_warped(child_point, context));
+    const MapPlace place = positions_.find(pattern_.value_at_warped(child_point, context));
     // The upper entry is shaded first: what it encloses still counts for the lower one (14.6).
     int count = 0;
     if (place.lower != place.upper) {
@@ -45,6 +45,7 @@ class MapSelector : public TextureSelector {
  private:
   Pattern pattern_;
   std::vector<TextureEntry> entries_;
+  MapPositions positions_;
 };
 
 class AverageSelector : public TextureSelector {
