@@ -52,6 +52,15 @@ bool is_declaration(std::string_view text) {
   return equals != 0 && equals != std::string_view::npos && equals + 1 < text.size();
 }
 
+// "my scene.pov" is several items to POV-Ray, so that no scene with a blank in its name can be
+// given without quotes inside of the shell's.
+bool is_scene_with_blanks(const std::string& argument) {
+  if (argument.size() < 4 || argument[0] == '+' || argument[0] == '-') return false;
+  return argument.find_first_of(" \t") != std::string::npos &&
+         equal_ignoring_case(std::string_view(argument).substr(argument.size() - 4), ".pov") &&
+         is_file(argument);
+}
+
 }  // namespace
 
 // An argument or a line while it is read.
@@ -139,9 +148,14 @@ void OptionReader::read_switch(Text& text) {
     // +W 20: the name is there, its value is not.
     const OptionEntry* named = find_switch(word + "1", name_length);
     if (named && name_length == word.size()) {
-      text.fail("'" + whole + "' needs its value directly behind it: " + whole + named->value_name);
+      const std::string name = whole.substr(0, whole.size() - (whole.back() == '0' ? 1 : 0));
+      text.fail("'" + whole + "' needs its value directly behind it: " + name + named->value_name);
     }
-    text.fail("there is no switch '" + whole + "' (durer --help lists them)");
+    const bool is_threshold =
+        word.size() > 1 && (word[0] == 'A' || word[0] == 'a') && std::strchr(".123456789", word[1]);
+    text.fail("there is no switch '" + whole + "' " +
+              (is_threshold ? "(a threshold of antialiasing begins with 0: +A0.3)"
+                            : "(durer --help lists them)"));
   }
   if (entry->kind == OptionKind::toggle) {
     values_.set_toggle(entry->id, on);
@@ -398,6 +412,10 @@ void OptionReader::read_arguments(const std::vector<std::string>& arguments) {
     }
     Text text{arguments[i], 0, "command line", false};
     if (arguments[i].empty()) text.fail("an empty argument");
+    if (is_scene_with_blanks(arguments[i])) {
+      values_.set_from_text(Option::input_file_name, arguments[i]);
+      continue;
+    }
     // One argument may hold several items, separated by blanks.
     for (text.skip_blanks(); !text.at_end(); text.skip_blanks()) {
       const size_t before = text.at;

@@ -143,13 +143,20 @@ class Run {
   }
 
   // Runs an event's command and applies its return action, as far as it ends the run.
-  ShellOutcome event(ShellEvent event, int frame, double clock) {
+  ShellOutcome run_event(ShellEvent event, int frame, double clock) {
     const ShellContext context{output_of(frame), file_part_of(options_.input_file), frame,
                                options_.render.width, options_.render.height, clock};
     std::string refusal;
     const ShellOutcome outcome = run_shell_command(options_.commands[static_cast<size_t>(event)],
                                                    context, options_.allow_shell, refusal);
     if (!refusal.empty()) console_.line(Stream::warning, "durer: " + refusal);
+    if (outcome == ShellOutcome::go_on) return outcome;
+    const bool ends_run = event == ShellEvent::user_abort || event == ShellEvent::fatal_error;
+    if (!ends_run) {
+      console_.line(Stream::warning, "durer: " + outcome_message(event, outcome));
+      if (outcome == ShellOutcome::user_abort) run_event(ShellEvent::user_abort, frame, clock);
+      if (outcome == ShellOutcome::fatal) run_event(ShellEvent::fatal_error, frame, clock);
+    }
     // Behind the last frame there is nothing left to end.
     if (event == ShellEvent::post_scene) return ShellOutcome::go_on;
     switch (outcome) {
@@ -165,7 +172,7 @@ class Run {
 
   int failed(int status) {
     try {
-      event(ShellEvent::fatal_error, frame_, clock_);
+      run_event(ShellEvent::fatal_error, frame_, clock_);
     } catch (const EndOfRun& end) {
       return end.status;
     }
@@ -174,7 +181,7 @@ class Run {
 
   int frames() {
     const Animation& animation = options_.animation;
-    const ShellOutcome before = event(ShellEvent::pre_scene, 0, 0);
+    const ShellOutcome before = run_event(ShellEvent::pre_scene, 0, 0);
     if (before == ShellOutcome::skip || before == ShellOutcome::skip_all) return kSuccess;
     const int start = animation.on ? animation.start : 0;
     const int end = animation.on ? animation.end : 0;
@@ -188,19 +195,19 @@ class Run {
                                           std::to_string(animation.start) + " to " +
                                           std::to_string(animation.end));
       }
-      const ShellOutcome pre = event(ShellEvent::pre_frame, frame_, clock_);
+      const ShellOutcome pre = run_event(ShellEvent::pre_frame, frame_, clock_);
       if (pre == ShellOutcome::skip_all) break;
       if (pre == ShellOutcome::skip) continue;
       const FrameSettings settings{frame_, clock_, running || options_.clock_given, scene_path_,
                                    animation.frame_suffix(frame_)};
       if (render_frame(options_, settings, console_, run_) == FrameOutcome::stopped) {
-        event(ShellEvent::user_abort, frame_, clock_);
+        run_event(ShellEvent::user_abort, frame_, clock_);
         return kStopped;
       }
       // Both skips are of all frames that remain.
-      if (event(ShellEvent::post_frame, frame_, clock_) != ShellOutcome::go_on) break;
+      if (run_event(ShellEvent::post_frame, frame_, clock_) != ShellOutcome::go_on) break;
     }
-    event(ShellEvent::post_scene, frame_, clock_);
+    run_event(ShellEvent::post_scene, frame_, clock_);
     return kSuccess;
   }
 

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 namespace durer {
 
@@ -64,6 +65,20 @@ ShellOutcome shell_outcome(const ShellCommand& command, int exit_status) {
     default:
       return ShellOutcome::go_on;
   }
+}
+
+std::string outcome_message(ShellEvent event, ShellOutcome outcome) {
+  constexpr const char* kEvents[] = {"Pre_Scene",  "Pre_Frame",  "Post_Frame",
+                                     "Post_Scene", "User_Abort", "Fatal_Error"};
+  static_assert(std::size(kEvents) == static_cast<size_t>(ShellEvent::count));
+  const std::string name = kEvents[static_cast<size_t>(event)];
+  const bool one_frame = outcome == ShellOutcome::skip && event == ShellEvent::pre_frame;
+  const char* meaning = one_frame                             ? "this frame is left out"
+                        : outcome == ShellOutcome::quit       ? "the run ends"
+                        : outcome == ShellOutcome::user_abort ? "the run is stopped"
+                        : outcome == ShellOutcome::fatal      ? "the run has failed"
+                                                              : "all that is left is left out";
+  return name + "_Command, and what " + name + "_Return says of its exit status: " + meaning;
 }
 
 ShellOutcome run_shell_command(const ShellCommand& command, const ShellContext& context,

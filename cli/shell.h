@@ -20,6 +20,8 @@ enum class ShellOutcome { go_on, skip, skip_all, quit, user_abort, fatal };
 std::string expand_command(const std::string& command, const ShellContext& context);
 // The outcome of a command that ended with this status.
 ShellOutcome shell_outcome(const ShellCommand& command, int exit_status);
+// What such an outcome, other than go_on, of an event's command means, for the user.
+std::string outcome_message(ShellEvent event, ShellOutcome outcome);
 // Runs it and waits. Refused commands count as failed, with a message in `refusal`.
 ShellOutcome run_shell_command(const ShellCommand& command, const ShellContext& context,
                                bool allowed, std::string& refusal);

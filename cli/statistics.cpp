@@ -19,19 +19,48 @@ constexpr const char* kShapeNames[] = {
     "parametric", "julia_fractal", "csg",   "light_source"};
 static_assert(std::size(kShapeNames) == std::tuple_size_v<ShapeTestCounts>);
 
+// The bytes of the UTF-8 character that begins at `at`; 0 if none does.
+size_t utf8_length(const std::string& text, size_t at) {
+  const auto byte = [&](size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const unsigned first = byte(at), second = byte(at + 1);
+  const size_t length = first < 0x80   ? 1
+                        : first < 0xc2 ? 0
+                        : first < 0xe0 ? 2
+                        : first < 0xf0 ? 3
+                        : first < 0xf5 ? 4
+                                       : 0;
+  for (size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xc0) != 0x80) return 0;
+  }
+  // Longer than needed, halves of surrogate pairs, beyond the last character.
+  const bool is_none = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+                       (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
+  return is_none ? 0 : length;
+}
+
+// File names may hold any bytes. Those that are no UTF-8 become \udc80 to \udcff, which Python's
+// os.fsencode turns back.
 std::string json_string(const std::string& text) {
   std::string out = "\"";
-  for (const char c : text) {
-    char escape[8];
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
-      out += escape;
+  const auto escape = [&](unsigned code) {
+    char digits[8];
+    std::snprintf(digits, sizeof digits, "\\u%04x", code);
+    out += digits;
+  };
+  for (size_t i = 0; i < text.size();) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const size_t length = utf8_length(text, i);
+    if (length == 0) {
+      escape(0xdc00u + c);
+    } else if (c < 0x20) {
+      escape(c);
     } else {
-      out += c;
+      if (c == '"' || c == '\\') out += '\\';
+      out += text.substr(i, length);
     }
+    i += std::max<size_t>(length, 1);
   }
   return out + "\"";
 }

@@ -11,8 +11,11 @@ namespace {
 
 // Words that later versions of the language know and this one does not.
 bool is_later_syntax(std::string_view word) {
-  static constexpr std::string_view kWords[] = {"dictionary", "mixed",        "optional", "tau",
-                                                "potential",  "user_defined", "bt709",    "bt2020"};
+  static constexpr std::string_view kWords[] = {
+      "akima_spline", "basic_x_spline", "blend_gamma",       "blend_mode",       "bt2020",
+      "bt709",        "dictionary",     "extended_x_spline", "general_x_spline", "lemon",
+      "mixed",        "optional",       "polarity",          "potential",        "sor_spline",
+      "tau",          "tcb_spline",     "user_defined"};
   return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 

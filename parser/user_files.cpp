@@ -81,7 +81,8 @@ bool Parser::State::may_write(const std::string& path) const {
   std::error_code failed;
   // Links are followed, so that none leads outside.
   const fs::path target = fs::weakly_canonical(fs::absolute(path), failed);
-  if (failed) return false;
+  // A link to nothing is left as it is, and opening it would make its target.
+  if (failed || fs::is_symlink(target)) return false;
   const auto below = [&](const fs::path& folder) {
     std::error_code bad;
     const fs::path base = fs::weakly_canonical(fs::absolute(folder.empty() ? fs::path(".") : folder), bad);

@@ -397,7 +397,7 @@ std::shared_ptr<const Spline> Parser::State::parse_spline() {
     }
     accept_comma();
   }
-  if (spline->empty() && !starts_expression()) error("a spline needs at least one point");
+  if (spline->empty() && !starts_expression()) error_expected("at least one point of the spline");
   Terms value;  // what a shorter point does not say is left from the point before
   while (starts_expression()) {
     const double parameter = parse_float();

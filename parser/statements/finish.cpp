@@ -15,6 +15,11 @@ class FinishReader {
   void read() {
     while (accept_color_item() || accept_number() || accept_block() || accept_legacy()) {
     }
+    if (parser_.accept(Keyword::fresnel)) {
+      parser_.error(
+          "'fresnel' outside of 'reflection { }' is syntax of POV-Ray 3.8, and this program "
+          "reads the language of version 3.7");
+    }
     apply_albedo();
   }
 

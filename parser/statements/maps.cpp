@@ -25,7 +25,9 @@ std::shared_ptr<const Map> parse_map(Parser& parser, const char* what, ValueKind
       parser.error(std::string("a ") + what + " has at most 256 entries");
     }
   }
-  if (map->entries.empty()) parser.error(std::string("a ") + what + " needs at least one entry");
+  if (map->entries.empty()) {
+    parser.error_expected(std::string("at least one entry of the ") + what);
+  }
   parser.expect_close(what);
   return map;
 }

@@ -98,7 +98,7 @@ class NormalReader {
     } else if (parser_.accept(Keyword::accuracy)) {
       node_.accuracy = static_cast<float>(parser_.parse_float());
     } else if (parser_.accept(Keyword::no_bump_scale)) {
-      node_.no_bump_scale = parser_.parse_optional_switch();
+      node_.no_bump_scale = true;
     } else if (parser_.accept(Keyword::normal_map)) {
       if (list_length(node_.pattern->kind) > 0 || node_.pattern->kind == PatternKind::facets ||
           node_.pattern->kind == PatternKind::bump_map) {

@@ -325,7 +325,7 @@ bool accept_pattern_modifier(Parser& parser, PatternNode& node) {
     node.crackle.offset = parser.parse_float();
   } else if (parser.accept(Keyword::solid)) {
     belongs_to(crackle, "crackle");
-    node.crackle.solid = parser.parse_optional_switch();
+    node.crackle.solid = true;
   } else if (parser.accept(Keyword::coords)) {
     belongs_to(facets, "facets");
     node.facets.coordinates_size = parser.parse_float();

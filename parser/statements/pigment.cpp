@@ -147,11 +147,7 @@ class PigmentReader {
   }
 
   // A pattern modifier that says nothing about colours.
-  bool accept_no_bump_scale() {
-    if (!parser_.accept(Keyword::no_bump_scale)) return false;
-    parser_.parse_optional_switch();
-    return true;
-  }
+  bool accept_no_bump_scale() { return parser_.accept(Keyword::no_bump_scale); }
 
   Parser& parser_;
   PigmentNode& node_;

@@ -128,7 +128,7 @@ class TextureReader {
       return true;
     }
     if (parser_.accept(Keyword::no_bump_scale)) {
-      no_bump_scale_ = parser_.parse_optional_switch();
+      no_bump_scale_ = true;
       return true;
     }
     return false;
@@ -172,7 +172,7 @@ class TextureReader {
                                                     ? MapEntries::weights
                                                     : MapEntries::places);
       } else if (parser_.accept(Keyword::no_bump_scale)) {
-        no_bump_scale_ = parser_.parse_optional_switch();
+        no_bump_scale_ = true;
       } else if (!accept_pattern_modifier(parser_, choice.pattern)) {
         break;
       }

@@ -35,6 +35,14 @@ class Statistics(RenderCase):
         for phase in ("parse", "build", "render", "write"):
             self.assertGreaterEqual(run["frames"][0][phase + "_seconds"], 0)
 
+    def test_any_file_name(self):
+        name = 'a "quoted" \\ \n b\u00e9 \udcff.pov'  # its last byte is no UTF-8
+        (self.folder / name).write_text("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 }")
+        self.durer("--input", name, "+W4", "+H3", "-GA", "--stats", "stats.json")
+        run = json.loads(self.bytes_of("stats.json"))
+        self.assertEqual(run["scene"], name)
+        self.assertEqual(run["frames"][0]["output"], name.replace(".pov", ".png"))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -98,9 +98,13 @@ TEST_F(ParserMessages, MistakesInDataFiles) {
 }
 
 TEST_F(ParserMessages, LaterSyntaxIsNamed) {
-  for (const char* text : {"#declare (A, B) = (1, 2);\n", "#declare D = dictionary { }\n",
-                           "#declare D = array mixed [2] { 1, \"a\" }\n",
-                           "#macro M(A, optional B)\n#end\nM(1)\n", "#declare A = 2 * tau;\n"}) {
+  for (const char* text :
+       {"#declare (A, B) = (1, 2);\n", "#declare D = dictionary { }\n",
+        "#declare D = array mixed [2] { 1, \"a\" }\n", "#macro M(A, optional B)\n#end\nM(1)\n",
+        "#declare A = 2 * tau;\n", "lemon { 0, 1, y, 0.5, 0.7 }\n",
+        "sphere { 0, 1 finish { fresnel on } }\n",
+        "#declare S = spline { akima_spline 0, x, 1, y };\n",
+        "sphere { 0, 1 pigment { bozo color_map { blend_mode 1 [0 rgb 1] } } }\n"}) {
     EXPECT_NE(error_of(text).find("POV-Ray 3.8"), std::string::npos) << text;
   }
   EXPECT_NE(error_of("#version 3.8;\n").find("later version"), std::string::npos);
