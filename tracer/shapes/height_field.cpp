@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/min_max.h"
 #include "tracer/shapes/box_crossing.h"
 #include "tracer/shapes/height_grid.h"
 #include "tracer/shapes/shape.h"
@@ -43,10 +44,10 @@ class Walk {
   bool walk(int level, int low_x, int low_z, int high_x, int high_z, double enter, double leave) {
     const int shift = level * HeightGrid::kLevelShift;
     const double size = static_cast<double>(int64_t{1} << shift);
+    const double per_size = 1 / size;  // of a power of two: exact
     const auto start = [&](double o, double d, int low, int high) {
-      const double cell = std::floor((o + enter * d) / size);
-      return static_cast<int>(
-          std::clamp(cell, static_cast<double>(low), static_cast<double>(high - 1)));
+      const double cell = (o + enter * d) * per_size;
+      return static_cast<int>(larger_of(smaller_of(cell, high - 1), low));
     };
     int x = start(ray_.origin.x, ray_.direction.x, low_x, high_x);
     int z = start(ray_.origin.z, ray_.direction.z, low_z, high_z);
