@@ -333,6 +333,8 @@ bool Parser::State::parse_builtin(Keyword keyword, Terms& out, int width) {
     case Keyword::min_extent:
     case Keyword::max_extent: {
       open();
+      // Without an argument it is no error, and says nothing.
+      if (accept(Symbol::paren_close)) return vector({0, 0, 0});
       if (keyword == Keyword::max_extent && parser.at_identifier(ValueKind::pigment)) {
         const auto pigment = parser.accept_identifier<PigmentNode>(ValueKind::pigment);
         Vec2 size{0};

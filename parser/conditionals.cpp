@@ -305,7 +305,7 @@ void Parser::State::skip_to_matching_label(size_t conditional) {
         }
         break;
       case Landing::elseif_branch:
-        break;
+        error("this #elseif does not belong to an #if");
     }
   }
 }

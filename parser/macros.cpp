@@ -84,6 +84,20 @@ void Parser::State::do_macro() {
   skip(1, false);
 }
 
+void Parser::State::error_few_arguments(const Macro& macro, size_t given) {
+  if (has_optional_parameter(macro, names)) {
+    error("optional parameters of macros are syntax of POV-Ray 3.8, and this program reads the "
+          "language of version 3.7",
+          "macro " + quoted(macro.name) + " has them");
+  }
+  const size_t count = macro.parameters.size();
+  error("macro " + quoted(macro.name) + " takes " + std::to_string(count) +
+            (count == 1 ? " argument" : " arguments") + ", only " + std::to_string(given) + " given",
+        ahead == kDeferred ? "directives and macros do not act behind a number: a comma is missing before "
+                             "this one"
+                           : "");
+}
+
 void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
   if (language_version < 310) {
     error("macros need #version 3.1 or later, but #version " + version_text(language_version) +
@@ -97,25 +111,22 @@ void Parser::State::call_macro(const std::shared_ptr<const Macro>& macro) {
   ++directive_depth;
   expect(Symbol::paren_open);
   {
-    // Arguments are numbers or blocks: directives between operands are not executed.
+    // Directives and macros are executed where an argument or what follows a comma begins, and behind
+    // arguments that are no numbers.
     const FlagScope off(directives_live, false);
+    bool begins = true;
     for (size_t i = 0; i < count; ++i) {
-      if (peek().is(Symbol::paren_close)) {
-        if (has_optional_parameter(*macro, names)) {
-          error("optional parameters of macros are syntax of POV-Ray 3.8, and this program reads the "
-                "language of version 3.7",
-                "macro " + quoted(macro->name) + " has them");
-        }
-        error("macro " + quoted(macro->name) + " takes " +
-              std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", only " +
-              std::to_string(i) + " given");
+      {
+        const FlagScope live(directives_live, begins);
+        peek();
       }
+      if (ahead == kDeferred || look.token.is(Symbol::paren_close)) error_few_arguments(*macro, i);
       parse_right_side(arguments[i], "a macro argument");
-      // Behind a number no directive is executed, behind anything else it is.
-      const FlagScope live(directives_live, !arguments[i].numeric);
+      const FlagScope live(directives_live, !arguments[i].numeric && ahead != kDeferred);
       if (arguments[i].is_reference) keep_if_scope_ends(arguments[i]);
-      accept_comma();
+      begins = accept_comma();
     }
+    const FlagScope live(directives_live, begins);
     if (!accept(Symbol::paren_close)) {
       error_expected("')' after the last argument of macro " + quoted(macro->name));
     }

@@ -302,6 +302,7 @@ struct Parser::State {
   [[noreturn]] void error(const std::string& text, const std::string& hint = {});
   [[noreturn]] void error_expected(std::string_view what);
   [[noreturn]] void error_undeclared(Name name);
+  [[noreturn]] void error_few_arguments(const Macro& macro, size_t given);
   [[noreturn]] void error_nested_macros();
   [[noreturn]] void raise_lexical(const Token& token);
   // An error in a file that the scene reads as data.

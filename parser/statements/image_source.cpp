@@ -21,8 +21,7 @@ ImageFileType accept_type(Parser& parser) {
       {Keyword::gif, ImageFileType::gif},   {Keyword::iff, ImageFileType::iff},
       {Keyword::jpeg, ImageFileType::jpeg}, {Keyword::tiff, ImageFileType::tiff},
       {Keyword::bmp, ImageFileType::bmp},   {Keyword::exr, ImageFileType::exr},
-      {Keyword::hdr, ImageFileType::hdr},   {Keyword::sys, ImageFileType::bmp},
-      {Keyword::pot, ImageFileType::pot},
+      {Keyword::hdr, ImageFileType::hdr},   {Keyword::pot, ImageFileType::pot},
   };
   for (const Word& word : kWords) {
     if (parser.accept(word.keyword)) return word.type;
@@ -110,8 +109,13 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser, ImageUse use) {
     source->function = parse_function_raster(parser);
     return source;
   }
-  source->type = accept_type(parser);
+  const bool system_kind = parser.accept(Keyword::sys);
+  if (!system_kind) source->type = accept_type(parser);
   const std::string name = parser.parse_path_string();
+  if (system_kind) {
+    parser.error("this system has no kind of images of its own, which `sys` means",
+                 "on Windows it is bmp");
+  }
   if (source->type == ImageFileType::pot && use != ImageUse::height_field) {
     parser.error("a pot file gives heights, only a height_field can read it");
   }

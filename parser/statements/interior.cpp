@@ -94,6 +94,7 @@ void parse_scattering(Parser& parser, MediaNode& media) {
   media.scattering = parser.parse_rgb();
   for (;;) {
     if (parser.accept(Keyword::eccentricity)) {
+      if (media.scattering_type != 5) parser.error("only scattering of type 5 has an eccentricity");
       media.eccentricity = static_cast<float>(parser.parse_float());
     } else if (parser.accept(Keyword::extinction)) {
       media.extinction = static_cast<float>(parser.parse_float());

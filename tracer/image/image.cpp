@@ -95,10 +95,13 @@ Image::Image(std::shared_ptr<const RasterFile> raster, const ImageSource& source
     return;
   }
   const int greatest = file.bits == 8 ? 255 : 65535;
+  // In this order, for the last bit of POV-Ray's.
+  const float of_greatest = static_cast<float>(greatest);
+  const float scale =
+      file.maximum ? 1 / (static_cast<float>(file.maximum) / of_greatest) : 1.0f;
   decode_.resize(static_cast<size_t>(greatest) + 1);
   for (int v = 0; v <= greatest; ++v)
-    decode_[static_cast<size_t>(v)] =
-        decoded(static_cast<float>(v) / static_cast<float>(file.maximum ? file.maximum : greatest));
+    decode_[static_cast<size_t>(v)] = decoded(static_cast<float>(v) / of_greatest * scale);
   if (file.type == ImageFileType::png && file.bits == 8 && file.channels == 1)
     decode_grey_of_png();
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 namespace durer {
@@ -49,6 +51,14 @@ void premultiply(RasterFile& file) {
   }
 }
 
+// OpenImageIO would read pictures of any kind under this name.
+void check_iff(const std::string& path) {
+  char head[4] = {};
+  std::ifstream(path, std::ios::binary).read(head, sizeof head);
+  if (std::memcmp(head, "FOR", 3) != 0)
+    throw std::runtime_error("the image '" + path + "' is no readable file of its kind, IFF");
+}
+
 }  // namespace
 
 std::shared_ptr<const RasterFile> raster_of(const ImageSource& source) {
@@ -78,7 +88,10 @@ RasterFile read_raster(const std::string& path, ImageFileType type) {
     case ImageFileType::tiff: file = read_tiff(path); break;
     case ImageFileType::exr: file = read_exr(path); break;
     case ImageFileType::pot: file = read_pot(path); break;
-    default: file = read_with_openimageio(path); break;
+    default:
+      check_iff(path);
+      file = read_with_openimageio(path);
+      break;
   }
   // A BMP may say that it has no rows, and stb_image believes it.
   if (file.width < 1 || file.height < 1)
