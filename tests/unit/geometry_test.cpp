@@ -3,7 +3,6 @@
 
 #include <random>
 
-#include "tracer/math/polynomial.h"
 #include "tracer/world/world.h"
 
 namespace durer {
@@ -352,16 +351,6 @@ TEST(Meshes, HaveAnInsideOnlyWithAVector) {
   EXPECT_TRUE(solid->has_inside());
   EXPECT_TRUE(solid->inside({0.1, 0.1, 0.1}));
   EXPECT_FALSE(solid->inside({0.5, 0.5, 0.5}));
-}
-
-TEST(Polynomials, SturmFindsSeparateRoots) {
-  // (x-1)(x-2)(x-3)(x-4)(x-5)
-  const double c[] = {1, -15, 85, -225, 274, -120};
-  double roots[5];
-  ASSERT_EQ(solve_polynomial(5, c, true, 0, roots), 5);
-  for (int i = 0; i < 5; ++i) EXPECT_NEAR(roots[i], i + 1, 1e-9);
-  const double quartic[] = {1, -10, 35, -50, 24};
-  ASSERT_EQ(solve_polynomial(4, quartic, false, 0, roots), 4);
 }
 
 }  // namespace
