@@ -143,6 +143,11 @@ struct ClosestSearch {
   }
 };
 
+// Finite objects that only their box cuts cast their shadows whole (docs/decisions/0062).
+bool casts_whole_shadow(const TopLevelObject& object, const GeometryNode& node) {
+  return object.is_cut_off && !node.bounds.count && node.surface_is_bounded;
+}
+
 // Whether any opaque object lies on a shadow ray's way.
 struct OcclusionSearch {
   const WorldData& data;
@@ -204,11 +209,11 @@ struct OcclusionSearch {
       const GeometryRay inner_ray = local_ray(copy, ray);
       return OcclusionSearch{data, data.groups[copy.group]->set, inner_ray, stack, max_t}.run();
     } else {
-      if (object.is_cut_off && item.node == object.node &&
+      const GeometryNode& node = data.geometry.nodes[item.node];
+      if (object.is_cut_off && item.node == object.node && !casts_whole_shadow(object, node) &&
           !object.box.is_met(ray.origin, ray.direction)) {
         return false;
       }
-      const GeometryNode& node = data.geometry.nodes[item.node];
       if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
       if (!data.geometry.closest(item.node, ray, max_t, stack, hit)) return false;
     }
@@ -254,6 +259,7 @@ struct World::Impl {
   WorldData data;
 
   bool is_opaque_object(uint32_t node) const;
+  bool is_loose(const TopLevelObject& top) const;
   bool is_loose_union(uint32_t node) const;
   void add_opaque_members(uint32_t object, uint32_t node, std::vector<LooseMember>& members) const;
   void mark_opaque(ObjectSet& set) const;
@@ -440,6 +446,12 @@ bool World::Impl::is_opaque_object(uint32_t index) const {
   return true;
 }
 
+// What is a caster of shadows in other bounds than as an object.
+bool World::Impl::is_loose(const TopLevelObject& top) const {
+  return is_loose_union(top.node) ||
+         (is_opaque_object(top.node) && casts_whole_shadow(top, data.geometry.nodes[top.node]));
+}
+
 // A union that is bound somewhere: its opaque members cast their shadows whatever bounds it.
 bool World::Impl::is_loose_union(uint32_t index) const {
   const GeometryNode& node = data.geometry.nodes[index];
@@ -473,12 +485,12 @@ void World::Impl::mark_opaque(ObjectSet& set) const {
       const ObjectSet& inner = data.groups[data.instances[top.instance].group]->set;
       return !(opaque ? inner.opaque_casters() : inner.clear_casters()).is_empty();
     }
-    return is_opaque_object(top.node) == opaque && !(opaque && is_loose_union(top.node));
+    return is_opaque_object(top.node) == opaque && !(opaque && is_loose(top));
   };
   std::vector<LooseMember> members;
   for (uint32_t i = 0; i < set.objects.size(); ++i) {
     const TopLevelObject& top = set.objects[i];
-    if (top.instance >= 0 || top.hidden & kShadowRay || !is_loose_union(top.node)) continue;
+    if (top.instance >= 0 || top.hidden & kShadowRay || !is_loose(top)) continue;
     add_opaque_members(i, top.node, members);
   }
   const auto list = [&](bool opaque, std::unique_ptr<SearchList>& casters) {

@@ -527,11 +527,8 @@ constexpr size_t kMostScanned = 3;
 void fill_search_list(const Geometry& geometry, const ObjectSet& set,
                       const std::function<bool(uint32_t)>& wanted,
                       const std::vector<LooseMember>& members, SearchList& list) {
-  const auto is_whole = [&](const LooseMember& part) {
-    return part.node == set.objects[part.object].node;
-  };
   const auto box_of = [&](const LooseMember& part) {
-    if (is_whole(part)) return search_box(geometry, set, set.objects[part.object]);
+    if (part.is_bound) return search_box(geometry, set, set.objects[part.object]);
     const GeometryNode& node = geometry.nodes[part.node];
     return node.surface_is_bounded ? node.reach : Bounds::everything();
   };
@@ -544,7 +541,7 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
     item.node = part.node;
     const GeometryNode& node = geometry.nodes[part.node];
     if (node.kind == NodeKind::shape && !node.clips.count && !node.bounds.count &&
-        !(top.is_cut_off && is_whole(part))) {
+        !(part.is_bound && top.is_cut_off)) {
       item.shape = node.shape;
       item.transform = node.transform;
       item.shape_kind = node.shape_kind;
@@ -562,7 +559,7 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
     }
   };
   for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    if (wanted(i)) add({i, set.objects[i].node});
+    if (wanted(i)) add({i, set.objects[i].node, true});
   }
   for (const LooseMember& member : members) add(member);
   list.bvh.build(bounded.size(), [&](uint32_t i) { return box_of(bounded[i]); });

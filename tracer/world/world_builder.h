@@ -113,10 +113,12 @@ struct WorldData {
 // Where rays look for an object. Empty: never met; unbounded: met everywhere.
 Bounds search_box(const Geometry& geometry, const ObjectSet& set, const TopLevelObject& top);
 
-// A member of a union that stands for itself among the casters of shadows.
+// What stands for itself among the casters of shadows: an object, or what is part of it, whole,
+// whatever bounds it.
 struct LooseMember {
   uint32_t object;  // position in ObjectSet::objects
   uint32_t node;
+  bool is_bound = false;  // the object as its bounds cut it
 };
 
 // Lists the objects of a set that `wanted` says yes to, and members of others.
