@@ -298,7 +298,7 @@ class BumpMapNormal : public CompiledNormal {
       side = normalize_or_zero(side);
     }
     const Vec3 depth = normalize_or_zero(cross(side, up));
-    return normalize_or_zero(frame_.outwards(b.x * side + b.y * up - b.z * depth));
+    return frame_.outwards(b.x * side + b.y * up - b.z * depth);
   }
 
  private:
