@@ -11,7 +11,8 @@ constexpr double kShadowStart = kShadowTolerance - 1e-4;
 constexpr double kEpsilon = 1e-10;
 
 bool is_dark(const RGB& c, double limit = kEpsilon) {
-  return std::abs(c.red) < limit && std::abs(c.green) < limit && std::abs(c.blue) < limit;
+  // What is not a number is dark, too.
+  return !(std::abs(c.red) >= limit || std::abs(c.green) >= limit || std::abs(c.blue) >= limit);
 }
 
 // Filters of all layers multiply; `caustics` brightens where the light crosses head-on.
