@@ -222,7 +222,8 @@ class BicubicPatch final : public Shape {
     }
     const Vec3 n = cross(along_u, along_v);
     const double squared = dot(n, n);
-    return squared > kGeometryEpsilon ? n / std::sqrt(squared) : Vec3(1, 0, 0);
+    // Where an edge has shrunk to a point, what rounding leaves decides, as in POV-Ray.
+    return squared > 0 ? n / std::sqrt(squared) : Vec3(1, 0, 0);
   }
   static void bernstein(double t, double* b, double* derivative) {
     const double s = 1 - t;
