@@ -127,16 +127,12 @@ void resolve_render(const OptionValues& values, RenderOptions& render) {
   resolve_antialiasing(values, render);
 }
 
-// A "true" value means the stream's usual file name.
+// What reads as "true", also "one.txt", means the stream's usual file name, as in POV-Ray; all else, also
+// "off", is a name.
 std::string stream_file(const OptionValues& values, Option id, const char* usual) {
   if (!values.is_set(id)) return "";
   const std::string name = values.text(id);
-  for (const char* word : {"on", "true", "yes", "1"}) {
-    if (equal_ignoring_case(name, word)) return usual;
-  }
-  for (const char* word : {"off", "false", "no", "0", ""}) {
-    if (equal_ignoring_case(name, word)) return "";
-  }
+  if (read_toggle(name)) return usual;
   if (name.find('/') != std::string::npos) {
     throw OptionError(std::string(option_entry(id).ini_name) +
                       " must be a bare file name (it is placed beside the picture), not '" + name +
@@ -183,11 +179,8 @@ ShellCommand shell_command(const OptionValues& values, Option command, Option ac
     text.erase(0, 1);
   }
   const char letter = text.empty() ? '?' : static_cast<char>(text[0] & ~0x20);
-  if (std::string("ISAQUF").find(letter) == std::string::npos) {
-    throw OptionError(std::string(option_entry(action).ini_name) + " is one of I S A Q U F, not '" +
-                      values.text(action) + "'");
-  }
-  result.action = letter;
+  // Other letters mean nothing; a note says so.
+  result.action = std::string("ISAQUF").find(letter) == std::string::npos ? 'I' : letter;
   return result;
 }
 

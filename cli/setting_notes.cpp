@@ -162,6 +162,20 @@ void note_animation(const OptionValues& values, const Options& options,
   }
 }
 
+void note_return_actions(const OptionValues& values, std::vector<std::string>& notes) {
+  for (const Option option :
+       {Option::pre_scene_return, Option::pre_frame_return, Option::post_frame_return,
+        Option::post_scene_return, Option::user_abort_return, Option::fatal_error_return}) {
+    if (!values.is_set(option)) continue;
+    const std::string text = values.text(option);
+    const bool negated = !text.empty() && (text[0] == '-' || text[0] == '!');
+    const char letter = text.size() > (negated ? 1 : 0) ? text[negated ? 1 : 0] : '?';
+    if (std::string("ISAQUFisaquf").find(letter) != std::string::npos) continue;
+    notes.push_back(name_of(option) + ": '" + text +
+                    "' is none of I S A Q U F and counts as I, ignore");
+  }
+}
+
 void note_comparison(const OptionValues& values, const Options& options,
                      std::vector<std::string>& notes) {
   if (!options.compare_methods) return;
@@ -185,6 +199,7 @@ std::vector<std::string> setting_notes(const OptionValues& values, const Options
   note_file_type(options, notes);
   note_antialiasing(values, options, notes);
   note_animation(values, options, notes);
+  note_return_actions(values, notes);
   note_comparison(values, options, notes);
   return notes;
 }

@@ -69,6 +69,7 @@ FILES = {
     "quoted.ini": 'Declare=Text="a b",Given=8\n',
     "skip.ini": "Final_Frame=2\nPost_Frame_Command=false\nPost_Frame_Return=S\n",
     "abort.ini": "Pre_Frame_Command=false\nPre_Frame_Return=U\n",
+    "unknown_return.ini": "s.pov +W6 +H5\nPre_Scene_Command=false\nPre_Scene_Return=!X\nDebug_File=no\n",
     "late.ini": "Post_Scene_Command=false\nPost_Scene_Return=F\n",
     "blanks.ini": "Input_File_Name=s.pov  \nWidth=6\t\nHeight=5 \nOutput_File_Name=a b  \n",
     "blanks_behind.ini": "Input_File_Name=s.pov\nWidth=6 Height=5\nOutput_File_Name=abc  \n\n",
@@ -104,9 +105,12 @@ s.pov shell.ini | s.pov stop.ini | switches.ini | s.pov old_mac.ini | s.pov anim
 s.pov animation.ini[cyclic] | s.pov declares.ini | s.pov rest_of_line.ini | s.pov a.ini +W3
 s.pov Include_INI=a.ini | s.pov quoted.ini | s.pov skip.ini | s.pov abort.ini | s.pov late.ini
 two_words.ini | old_comment.ini | empty_toggle.ini
+s.pov Debug_File=off | s.pov Debug_File=0 | s.pov Debug_File= | s.pov Debug_File=tr | s.pov Debug_File=one.txt
+s.pov +GDoff | s.pov Pre_Scene_Return=X | s.pov Post_Frame_Return= | s.pov Fatal_Error_Return=-Zebra
+unknown_return.ini
 blanks.ini | blanks_behind.ini | word_and_setting.ini | word_and_switch.ini
 """
-SIZED = ("a.ini", "two_words", "old_comment", "empty_toggle", "a", "a[", "b.ini", "blanks", "word_and", "switches.ini", "old_mac.ini", "Include_INI")
+SIZED = ("unknown_return", "a.ini", "two_words", "old_comment", "empty_toggle", "a", "a[", "b.ini", "blanks", "word_and", "switches.ini", "old_mac.ini", "Include_INI")
 
 # Files that lie there before: a finished picture is skipped with +C, an empty one is not.
 BEFORE = [

@@ -13,6 +13,8 @@ from render_case import DURER, SLOW_SCENE, RenderCase
 OPTIONS = ("scene.pov", "+W120", "+H90", "+A0.1", "+BS8", "-GA")
 WINDOWS = (("+EC50", "+ER40"), ("+SC51", "+ER40"), ("+EC50", "+SR41"), ("+SC51", "+SR41"))
 
+ENDLESS = "#declare I = 0;\n#while (I < 1)\n  #declare I = I / 2;\n#end\n"
+
 
 class Continue(RenderCase):
     def setUp(self):
@@ -47,6 +49,58 @@ class Continue(RenderCase):
                     self.assertEqual(self.bytes_of(f"{name}.png"), self.bytes_of("whole.png"))
                     self.assertFalse((self.folder / f"{name}.pov-state").exists())
                     os.remove(self.folder / f"{name}.png")
+
+    def test_terminated_render(self):
+        """SIGTERM ends a render as Ctrl-C does."""
+        self.durer(*OPTIONS, "+Owhole.png")
+        self.assertEqual(self.interrupted("part", 2, signal.SIGTERM), 2)
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["part.pov-state", "scene.pov", "whole.png"])
+        self.durer(*OPTIONS, "+C", "+Opart.png")
+        self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
+
+    def test_stopped_while_the_scene_is_read(self):
+        """There is nothing to keep yet: status 2, and the folder is as it was."""
+        self.write("loop.pov", '#version 3.7;\n#debug "reading\\n"\n' + ENDLESS)
+        before = sorted(os.listdir(self.folder))
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(signal=number):
+                self.assertEqual(self.stopped_while_reading("loop.pov", number, "+Oloop.png"), 2)
+                self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_stopped_while_the_scene_is_read_again(self):
+        """What an interrupted render has kept outlives a continuation that is stopped at once."""
+        self.durer(*OPTIONS, "+Owhole.png")
+        self.interrupted("part", 1, signal.SIGTERM)
+        kept = self.bytes_of("part.pov-state")
+        self.write("scene.pov", SLOW_SCENE + '#debug "reading\\n"\n' + ENDLESS)
+        self.assertEqual(
+            self.stopped_while_reading("scene.pov", signal.SIGTERM, "+C", "+Opart.png"), 2)
+        self.assertEqual(self.bytes_of("part.pov-state"), kept)
+        self.write("scene.pov", SLOW_SCENE)
+        self.durer(*OPTIONS, "+C", "+Opart.png")
+        self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
+
+    def stopped_while_reading(self, scene, number, *more):
+        # Without -GA: the scene says when it is being read.
+        run = subprocess.Popen([DURER, scene, *OPTIONS[1:-1], *more], cwd=self.folder,
+                               stderr=subprocess.PIPE, text=True)
+        while not run.stderr.readline().startswith("reading"):
+            self.assertIsNone(run.poll())
+        run.send_signal(number)
+        run.communicate(timeout=60)
+        return run.returncode
+
+    def test_foreign_state_file(self):
+        """What durer did not write is no state: the picture is rendered from the start."""
+        self.durer(*OPTIONS, "+Owhole.png")
+        for content in (b"", b"POV-Ray Render State File", b"durer state 0", bytes(range(256)) * 100):
+            with self.subTest(content=content[:20]):
+                (self.folder / "part.pov-state").write_bytes(content)
+                self.durer(*OPTIONS, "+C", "+Opart.png")
+                self.assertEqual(self.bytes_of("part.png"), self.bytes_of("whole.png"))
+                self.assertFalse((self.folder / "part.pov-state").exists())
+                os.remove(self.folder / "part.png")
 
     def test_preview_of_a_killed_run_is_continued(self):
         self.durer(*OPTIONS, "+WT1", "+Owhole.png")
