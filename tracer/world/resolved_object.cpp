@@ -334,9 +334,10 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
       bound_quadric(result, range);
     }
   }
-  // Every statement installs them again, also one that only moves a copy. A height_field's own
-  // statement sets its box last.
-  const bool keeps_box = result.is_height_field && object->shape;
+  // Every statement installs them again, also one that only moves a copy. The own statement of a
+  // height_field or blob sets its box last.
+  const bool keeps_box = object->shape && (result.is_height_field ||
+                                           std::holds_alternative<BlobNode>(*object->shape));
   if (!keeps_box) {
     if (!result.bounds_are_clips) install_box(result, result.bounds);
     install_box(result, result.clips);
