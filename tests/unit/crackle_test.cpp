@@ -41,13 +41,23 @@ TEST(CrackleFeatures, AreTheNearest) {
     const Vec3 p(reach * (2 * unit(random) - 1), reach * (2 * unit(random) - 1),
                  reach * (2 * unit(random) - 1));
     const Vec3 cell = glm::floor(p);
-    const AdjacentFeatures& features = features_around(cell, pattern_random_table().data());
+    const AdjacentFeatures& features = features_around(cell);
     double squares[3];
     find_nearest(features, p, squares);
     const std::vector<double> expected = distances_by_hand(cell, p);
     for (int k = 0; k < 3; ++k) ASSERT_EQ(squares[k], expected[k]) << "point " << i;
     const Vec3 way = feature_at(features, p, squares[0]) - p;
     ASSERT_EQ(dot(way, way), expected[0]);
+  }
+}
+
+TEST(CrackleFeatures, AreNoneOfWhatIsNoPoint) {
+  const AdjacentFeatures& features = features_around(Vec3(2, -1, 0));
+  for (const double odd : {std::nan(""), HUGE_VAL}) {
+    double squares[3];
+    find_nearest(features, Vec3(odd, 0.5, 0.5), squares);
+    for (const double square : squares) EXPECT_EQ(square, 1e300);
+    EXPECT_EQ(feature_at(features, Vec3(odd, 0.5, 0.5), squares[0]), Vec3(0));
   }
 }
 

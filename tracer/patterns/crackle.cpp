@@ -80,7 +80,7 @@ class Crackle : public BasePattern {
     double nearest[3] = {1e300, 1e300, 1e300};
     Vec3 nearest_point(0);
     if (parameters_.metric == 2) {
-      const AdjacentFeatures& adjacent = features_around(cell, random_);
+      const AdjacentFeatures& adjacent = features_around(cell);
       find_nearest(adjacent, p, nearest);
       if (parameters_.solid) nearest_point = feature_at(adjacent, p, nearest[0]);
       if (nearest[needed_] > 1 - 1e-9) look_in_cells(kAdjacentCells, p, cell, nearest, nearest_point);
@@ -139,6 +139,7 @@ class Crackle : public BasePattern {
       }
     }
   }
+
   // One axis' share of the measure.
   double part(double d) const {
     if (parameters_.metric == 2) return d * d;

@@ -4,6 +4,7 @@
 
 #include "tracer/math/kernel.h"
 #include "tracer/math/lattice_hash.h"
+#include "tracer/patterns/noise.h"
 
 namespace durer {
 namespace {
@@ -22,7 +23,8 @@ struct KnownFeatures {
 };
 constinit thread_local KnownFeatures known{};
 
-void fill(const Vec3& cell, const int (&place)[3], const double* random, AdjacentFeatures& out) {
+void fill(const Vec3& cell, const int (&place)[3], AdjacentFeatures& out) {
+  const double* const random = pattern_random_table().data();
   out.cell = cell;
   int count = 0;
   for (int x = -1; x <= 1; ++x) {
@@ -40,10 +42,11 @@ void fill(const Vec3& cell, const int (&place)[3], const double* random, Adjacen
   out.x[count] = out.y[count] = out.z[count] = kFarOff;
 }
 
+// What is not a number goes to `high`, if it was there.
 DURER_INLINE void sort(Row& low, Row& high) {
   const Row a = low, b = high;
-  low = a < b ? a : b;
-  high = a < b ? b : a;
+  low = b < a ? b : a;
+  high = b < a ? a : b;
 }
 
 // The three least of each lane, ascending, and one more.
@@ -65,7 +68,7 @@ struct LeastThree {
 
 }  // namespace
 
-const AdjacentFeatures& features_around(const Vec3& cell, const double* random) {
+const AdjacentFeatures& features_around(const Vec3& cell) {
   int place[3];
   for (int axis = 0; axis < 3; ++axis) {
     place[axis] = static_cast<int>(static_cast<int64_t>(cell[axis]) & 4095);
@@ -73,7 +76,7 @@ const AdjacentFeatures& features_around(const Vec3& cell, const double* random) 
   const int slot = (place[0] + 3 * place[1] + 5 * place[2]) % KnownFeatures::kSlots;
   AdjacentFeatures& features = known.of[slot];
   if (!known.is_known[slot] || features.cell != cell) {
-    fill(cell, place, random, features);
+    fill(cell, place, features);
     known.is_known[slot] = true;
   }
   return features;
@@ -95,13 +98,12 @@ DURER_KERNEL void find_nearest(const AdjacentFeatures& features, const Vec3& poi
 }
 
 Vec3 feature_at(const AdjacentFeatures& features, const Vec3& point, double square) {
-  Vec3 feature(0);
   for (int i = 0; i < AdjacentFeatures::kCount; ++i) {
-    feature = Vec3(features.x[i], features.y[i], features.z[i]);
+    const Vec3 feature(features.x[i], features.y[i], features.z[i]);
     const Vec3 way = feature - point;
-    if (dot(way, way) == square) break;
+    if (dot(way, way) == square) return feature;
   }
-  return feature;
+  return Vec3(0);
 }
 
 }  // namespace durer

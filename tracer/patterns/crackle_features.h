@@ -14,11 +14,11 @@ struct AdjacentFeatures {
 };
 
 // Of the cell with this lower corner. They depend on nothing else, and rays that follow each other ask for
-// the same ones: a thread keeps some. Until the next call. `random`: pattern_random_table().
-const AdjacentFeatures& features_around(const Vec3& cell, const double* random);
-// The three least squared distances, ascending.
+// the same ones: a thread keeps some. Until the next call.
+const AdjacentFeatures& features_around(const Vec3& cell);
+// The three least squared distances, ascending; 1e300 in place of what is not a number.
 void find_nearest(const AdjacentFeatures& features, const Vec3& point, double (&squares)[3]);
-// The one at this squared distance.
+// The one at this squared distance; the origin if there is none.
 Vec3 feature_at(const AdjacentFeatures& features, const Vec3& point, double square);
 
 }  // namespace durer
