@@ -26,9 +26,12 @@ class Poly final : public Shape {
     coefficients_.resize(static_cast<size_t>((order_ + 1) * (order_ + 2) * (order_ + 3) / 6));
     for (int i = order_; i >= 0; --i) {
       for (int j = order_ - i; j >= 0; --j) {
+        row_has_terms_.push_back(false);
         for (int k = order_ - i - j; k >= 0; --k) {
           const double c = coefficients_[next++];
-          if (c != 0) terms_.push_back({c, i, j, k});
+          if (c == 0) continue;
+          terms_.push_back({c, i, j, k});
+          row_has_terms_.back() = true;
         }
       }
     }
@@ -41,9 +44,9 @@ class Poly final : public Shape {
     const Vec3 d = ray.direction * scale;
     double c[kMostPolynomialDegree + 1];
     switch (order_) {
-      case 3: substitute_in<3>(ray.origin, d, c); break;
-      case 4: substitute_in<4>(ray.origin, d, c); break;
-      default: substitute(ray.origin, d, c);
+      case 3: substitute<3>(ray.origin, d, c); break;
+      case 4: substitute<4>(ray.origin, d, c); break;
+      default: substitute<kAnyOrder>(ray.origin, d, c);
     }
     double roots[kMostPolynomialDegree];
     int count = 0;
@@ -100,88 +103,48 @@ class Poly final : public Shape {
   }
 
   // c[0] t^order + …: each term is (Px + t dx)^i (Py + t dy)^j (Pz + t dz)^k. With x^i outside,
-  // y^j within and z^k innermost, Horner's rule needs one multiplication by a line per power.
-  void substitute(const Vec3& p, const Vec3& d, double* c) const {
-    double all[kMostPolynomialDegree + 1] = {}, inner[kMostPolynomialDegree + 1],
-           innermost[kMostPolynomialDegree + 1];
-    const int n = order_;
-    const auto times_line = [](double* q, int degree, double constant, double slope) {
-      // q has ascending powers up to degree.
-      q[degree + 1] = q[degree] * slope;
-      for (int i = degree; i > 0; --i) q[i] = q[i] * constant + q[i - 1] * slope;
-      q[0] *= constant;
-    };
-    size_t next = 0;
-    int degree_x = 0;
-    all[0] = 0;
-    for (int i = n; i >= 0; --i) {
-      if (i < n) times_line(all, degree_x++, p.x, d.x);
-      if (next >= terms_.size() || terms_[next].x != i) continue;
-      int degree_y = 0;
-      inner[0] = 0;
-      for (int j = n - i; j >= 0; --j) {
-        if (j < n - i) times_line(inner, degree_y++, p.y, d.y);
-        if (next >= terms_.size() || terms_[next].x != i || terms_[next].y != j) continue;
-        int degree_z = 0;
-        innermost[0] = 0;
-        for (int k = n - i - j; k >= 0; --k) {
-          if (k < n - i - j) times_line(innermost, degree_z++, p.z, d.z);
-          if (next < terms_.size() && terms_[next].x == i && terms_[next].y == j &&
-              terms_[next].z == k)
-            innermost[0] += terms_[next++].coefficient;
-        }
-        for (int m = 0; m <= degree_z; ++m) {
-          if (m <= degree_y) {
-            inner[m] += innermost[m];
-          } else {
-            inner[m] = innermost[m];
-          }
-        }
-        degree_y = std::max(degree_y, degree_z);
-      }
-      for (int m = 0; m <= degree_y; ++m) {
-        if (m <= degree_x) {
-          all[m] += inner[m];
-        } else {
-          all[m] = inner[m];
-        }
-      }
-      degree_x = std::max(degree_x, degree_y);
-    }
-    for (int i = 0; i <= n; ++i) c[n - i] = i <= degree_x ? all[i] : 0;
-  }
-
-  // The same of an order that the compiler knows: all loops unrolled, and no coefficient left out.
+  // y^j within and z^k innermost, Horner's rule needs one multiplication by a line per power. Of an
+  // order that the compiler knows all loops are unrolled.
+  static constexpr int kAnyOrder = 0;
   template <int kOrder>
-  void substitute_in(const Vec3& p, const Vec3& d, double* c) const {
+  void substitute(const Vec3& p, const Vec3& d, double* c) const {
+    constexpr int kSize = (kOrder == kAnyOrder ? kMostPolynomialDegree : kOrder) + 1;
+    const int order = kOrder == kAnyOrder ? order_ : kOrder;
     const double* next = coefficients_.data();
+    size_t row = 0;
+    // q has ascending powers up to degree.
     const auto times_line = [](double* q, int degree, double constant, double slope) {
       q[degree + 1] = q[degree] * slope;
 #pragma GCC unroll 8
       for (int i = degree; i > 0; --i) q[i] = q[i] * constant + q[i - 1] * slope;
       q[0] *= constant;
     };
-    double all[kOrder + 1] = {};
+    double all[kSize] = {};
 #pragma GCC unroll 8
-    for (int i = kOrder; i >= 0; --i) {
-      if (i < kOrder) times_line(all, kOrder - i - 1, p.x, d.x);
-      double inner[kOrder + 1] = {};
+    for (int i = order; i >= 0; --i) {
+      if (i < order) times_line(all, order - i - 1, p.x, d.x);
+      double inner[kSize] = {};
 #pragma GCC unroll 8
-      for (int j = kOrder - i; j >= 0; --j) {
-        if (j < kOrder - i) times_line(inner, kOrder - i - j - 1, p.y, d.y);
-        double innermost[kOrder + 1] = {};
+      for (int j = order - i; j >= 0; --j) {
+        const int most = order - i - j;
+        if (most > 0) times_line(inner, most - 1, p.y, d.y);
+        if (!row_has_terms_[row++]) {
+          next += most + 1;
+          continue;
+        }
+        double innermost[kSize] = {};
 #pragma GCC unroll 8
-        for (int k = kOrder - i - j; k >= 0; --k) {
-          if (k < kOrder - i - j) times_line(innermost, kOrder - i - j - k - 1, p.z, d.z);
+        for (int k = most; k >= 0; --k) {
+          if (k < most) times_line(innermost, most - k - 1, p.z, d.z);
           innermost[0] += *next++;
         }
 #pragma GCC unroll 8
-        for (int m = 0; m <= kOrder - i - j; ++m) inner[m] += innermost[m];
+        for (int m = 0; m <= most; ++m) inner[m] += innermost[m];
       }
 #pragma GCC unroll 8
-      for (int m = 0; m <= kOrder - i; ++m) all[m] += inner[m];
+      for (int m = 0; m <= order - i; ++m) all[m] += inner[m];
     }
-    for (int i = 0; i <= kOrder; ++i) c[kOrder - i] = all[i];
+    for (int i = 0; i <= order; ++i) c[order - i] = all[i];
   }
 
   static int solve_second_order(const double* c, double* roots) {
@@ -200,6 +163,7 @@ class Poly final : public Shape {
 
   std::vector<double> coefficients_;  // all, in the order of the statement
   std::vector<Term> terms_;           // those that are not 0
+  std::vector<char> row_has_terms_;   // for each power of x and of y
   int order_;
   bool sturm_;
 };
