@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tracer/world/shadow_casters.h"
+
 namespace durer {
 namespace {
 
@@ -20,7 +22,7 @@ Vec3 lattice_point(int i, const Vec3& step) {
 
 class Finder {
  public:
-  Finder(const WorldData& data, const IsOpaque& is_opaque) : data_(data), is_opaque_(is_opaque) {}
+  explicit Finder(const WorldData& data) : data_(data) {}
 
   std::vector<RememberedCaster> candidates() {
     for (const TopLevelObject& top : data_.scene.objects) {
@@ -55,7 +57,7 @@ class Finder {
       const GeometryRay ray(point - diagonal * direction, direction, kShadowRay);
       ShapeHit hit;
       if (data_.geometry.closest(caster.node, ray, 2 * diagonal, stack_, hit) &&
-          is_opaque_(hit.node)) {
+          is_opaque_node(data_, hit.node)) {
         return true;
       }
     }
@@ -81,20 +83,18 @@ class Finder {
     const WorldObject& object = data_.objects[node.object];
     if (object.texture == kNoTexture || !stops_light(object.texture)) return;
     if (object.interior_texture != kNoTexture && !stops_light(object.interior_texture)) return;
-    if (!is_opaque_(index)) found_.push_back({index, instance});
+    if (!is_opaque_node(data_, index)) found_.push_back({index, instance});
   }
 
   const WorldData& data_;
-  const IsOpaque& is_opaque_;
   std::vector<RememberedCaster> found_;
   HitStack stack_;
 };
 
 }  // namespace
 
-std::vector<RememberedCaster> find_remembered_casters(const WorldData& data,
-                                                      const IsOpaque& is_opaque) {
-  Finder finder(data, is_opaque);
+std::vector<RememberedCaster> find_remembered_casters(const WorldData& data) {
+  Finder finder(data);
   std::vector<RememberedCaster> casters = finder.candidates();
   if (casters.size() > kMostRemembered) return {};
   std::erase_if(

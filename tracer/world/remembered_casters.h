@@ -6,12 +6,8 @@
 
 namespace durer {
 
-// Whether nothing of a node lets light through: by its textures.
-using IsOpaque = std::function<bool(uint32_t node)>;
-
 // Of the scene, by textures and by what can be seen from outside; none if there are many.
-std::vector<RememberedCaster> find_remembered_casters(const WorldData& data,
-                                                      const IsOpaque& is_opaque);
+std::vector<RememberedCaster> find_remembered_casters(const WorldData& data);
 
 // The nearest hit, 1e-4 <= t < max_t, of a shadow ray with any of them; the caster, or null.
 const RememberedCaster* closest_of_remembered(const WorldData& data,

@@ -8,6 +8,7 @@
 #include "tracer/intersect/bvh_walk.h"
 #include "tracer/scene/not_supported.h"
 #include "tracer/world/remembered_casters.h"
+#include "tracer/world/shadow_casters.h"
 #include "tracer/world/world_builder.h"
 
 namespace durer {
@@ -143,11 +144,6 @@ struct ClosestSearch {
   }
 };
 
-// Finite objects that only their box cuts cast their shadows whole (docs/decisions/0062).
-bool casts_whole_shadow(const TopLevelObject& object, const GeometryNode& node) {
-  return object.is_cut_off && !node.bounds.count && node.surface_is_bounded;
-}
-
 // Whether any opaque object lies on a shadow ray's way.
 struct OcclusionSearch {
   const WorldData& data;
@@ -258,11 +254,6 @@ bool found(const ClosestSearch& search, Hit& hit) {
 struct World::Impl {
   WorldData data;
 
-  bool is_opaque_object(uint32_t node) const;
-  bool is_loose(const TopLevelObject& top) const;
-  bool is_loose_union(uint32_t node) const;
-  void add_opaque_members(uint32_t object, uint32_t node, std::vector<LooseMember>& members) const;
-  void mark_opaque(ObjectSet& set) const;
   void add_shares(uint32_t node, const Vec3& point, SurfacePoint& out) const;
   int containing(const ObjectSet& set, const Vec3& point, int64_t moved_from, int64_t moved_to,
                  int* interiors, int capacity) const;
@@ -296,10 +287,9 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
   }
   builder.resolve_projected(resolver);
   builder.finish();
-  for (const auto& group : data.groups) world->impl_->mark_opaque(group->set);
-  world->impl_->mark_opaque(data.scene);
-  data.remembered = find_remembered_casters(
-      data, [&world](uint32_t node) { return world->impl_->is_opaque_object(node); });
+  for (const auto& group : data.groups) sort_shadow_casters(data, group->set);
+  sort_shadow_casters(data, data.scene);
+  data.remembered = find_remembered_casters(data);
   return world;
 }
 
@@ -417,94 +407,6 @@ void World::Impl::add_shares(uint32_t index, const Vec3& point, SurfacePoint& ou
   for (int i = before; i < out.share_count; ++i) {
     out.shares[i].weight = 1.0f / static_cast<float>(std::max(added, 1));
   }
-}
-
-bool World::Impl::is_opaque_object(uint32_t index) const {
-  const GeometryNode& node = data.geometry.nodes[index];
-  if (node.kind != NodeKind::shape) {
-    for (uint32_t i = 0; i < node.children.count; ++i) {
-      if (!is_opaque_object(data.geometry.lists[node.children.first + i])) return false;
-    }
-    return true;
-  }
-  const WorldObject& object = data.objects[node.object];
-  const NodeAppearance& appearance = data.appearance[index];
-  const auto lets_light_through = [&](uint32_t texture) {
-    return texture != kNoTexture && !data.textures[texture].is_opaque;
-  };
-  if (lets_light_through(object.texture) || lets_light_through(object.interior_texture)) {
-    return false;
-  }
-  // No texture at all, and textures of parts, are left to shading.
-  if (object.texture == kNoTexture && appearance.own_textures < 0) return false;
-  if (appearance.own_textures >= 0) {
-    const size_t count = node.shape->own_textures()->size();
-    for (size_t i = 0; i < count; ++i) {
-      if (lets_light_through(data.own_texture_ids[appearance.own_textures + i])) return false;
-    }
-  }
-  return true;
-}
-
-// What is a caster of shadows in other bounds than as an object.
-bool World::Impl::is_loose(const TopLevelObject& top) const {
-  return is_loose_union(top.node) ||
-         (is_opaque_object(top.node) && casts_whole_shadow(top, data.geometry.nodes[top.node]));
-}
-
-// A union that is bound somewhere: its opaque members cast their shadows whatever bounds it.
-bool World::Impl::is_loose_union(uint32_t index) const {
-  const GeometryNode& node = data.geometry.nodes[index];
-  if (node.kind != NodeKind::union_ || node.clips.count) return false;
-  if (node.bounds.count) return true;
-  for (uint32_t i = 0; i < node.children.count; ++i) {
-    if (is_loose_union(data.geometry.lists[node.children.first + i])) return true;
-  }
-  return false;
-}
-
-void World::Impl::add_opaque_members(uint32_t object, uint32_t index,
-                                     std::vector<LooseMember>& members) const {
-  if (is_loose_union(index)) {
-    const GeometryNode& node = data.geometry.nodes[index];
-    for (uint32_t i = 0; i < node.children.count; ++i) {
-      add_opaque_members(object, data.geometry.lists[node.children.first + i], members);
-    }
-  } else if (is_opaque_object(index)) {
-    members.push_back({object, index});
-  }
-}
-
-// Sorts the casters of shadows into opaque and clear ones; the members of copies answer for
-// themselves.
-void World::Impl::mark_opaque(ObjectSet& set) const {
-  const auto casts = [&](uint32_t i, bool opaque) {
-    const TopLevelObject& top = set.objects[i];
-    if (top.hidden & kShadowRay) return false;
-    if (top.instance >= 0) {
-      const ObjectSet& inner = data.groups[data.instances[top.instance].group]->set;
-      return !(opaque ? inner.opaque_casters() : inner.clear_casters()).is_empty();
-    }
-    return is_opaque_object(top.node) == opaque && !(opaque && is_loose(top));
-  };
-  std::vector<LooseMember> members;
-  for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    const TopLevelObject& top = set.objects[i];
-    if (top.instance >= 0 || top.hidden & kShadowRay || !is_loose(top)) continue;
-    add_opaque_members(i, top.node, members);
-  }
-  const auto list = [&](bool opaque, std::unique_ptr<SearchList>& casters) {
-    casters.reset();
-    const auto wanted = [&](uint32_t i) { return casts(i, opaque); };
-    bool all = true;
-    for (uint32_t i = 0; i < set.objects.size() && all; ++i) all = wanted(i);
-    if (all) return;
-    casters = std::make_unique<SearchList>();
-    fill_search_list(data.geometry, set, wanted, opaque ? members : std::vector<LooseMember>{},
-                     *casters);
-  };
-  list(true, set.opaque);
-  list(false, set.clear);
 }
 
 bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
