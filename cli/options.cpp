@@ -169,19 +169,9 @@ void resolve_streams(const OptionValues& values, Options& options) {
   options.preview_interval = std::max(values.number(Option::preview_interval, 0), 0.0);
 }
 
-// "-F": a letter, negated by - or !.
 ShellCommand shell_command(const OptionValues& values, Option command, Option action) {
-  ShellCommand result;
-  result.command = values.text(command);
-  std::string text = values.text(action, "I");
-  if (!text.empty() && (text[0] == '-' || text[0] == '!')) {
-    result.on_success = true;
-    text.erase(0, 1);
-  }
-  const char letter = text.empty() ? '?' : static_cast<char>(text[0] & ~0x20);
-  // Other letters mean nothing; a note says so.
-  result.action = std::string("ISAQUF").find(letter) == std::string::npos ? 'I' : letter;
-  return result;
+  const ReturnAction said = read_return_action(values.text(action, "I"));
+  return {values.text(command), said.letter, said.is_negated};
 }
 
 void resolve_commands(const OptionValues& values, Options& options) {
@@ -215,6 +205,16 @@ int window_end(double value, int size) {
 }
 
 }  // namespace
+
+ReturnAction read_return_action(std::string_view text) {
+  ReturnAction said;
+  said.is_negated = !text.empty() && (text[0] == '-' || text[0] == '!');
+  if (said.is_negated) text.remove_prefix(1);
+  const char letter = text.empty() ? '?' : static_cast<char>(text[0] & ~0x20);
+  said.is_known = std::string_view("ISAQUF").find(letter) != std::string_view::npos;
+  if (said.is_known) said.letter = letter;
+  return said;
+}
 
 PixelWindow resolve_window(const OptionValues& values, int width, int height) {
   const int left = window_start(values.number(Option::start_column, 1), width);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct ShellCommand {
   char action = 'I';       // I S A Q U F (spec/language.md 37)
   bool on_success = false;  // the action applies to exit status 0 instead
 };
+
+// What an ..._Return setting says, "-F": a letter, negated by - or !.
+struct ReturnAction {
+  char letter = 'I';
+  bool is_negated = false;
+  bool is_known = false;  // other letters count as I
+};
+ReturnAction read_return_action(std::string_view text);
 
 struct Options {
   // files

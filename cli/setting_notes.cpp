@@ -166,12 +166,8 @@ void note_return_actions(const OptionValues& values, std::vector<std::string>& n
   for (const Option option :
        {Option::pre_scene_return, Option::pre_frame_return, Option::post_frame_return,
         Option::post_scene_return, Option::user_abort_return, Option::fatal_error_return}) {
-    if (!values.is_set(option)) continue;
-    const std::string text = values.text(option);
-    const bool negated = !text.empty() && (text[0] == '-' || text[0] == '!');
-    const char letter = text.size() > (negated ? 1 : 0) ? text[negated ? 1 : 0] : '?';
-    if (std::string("ISAQUFisaquf").find(letter) != std::string::npos) continue;
-    notes.push_back(name_of(option) + ": '" + text +
+    if (!values.is_set(option) || read_return_action(values.text(option)).is_known) continue;
+    notes.push_back(name_of(option) + ": '" + values.text(option) +
                     "' is none of I S A Q U F and counts as I, ignore");
   }
 }
