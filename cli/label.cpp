@@ -37,7 +37,6 @@ void LabelFont::draw(const std::string& text, double left, double baseline, doub
   node.text.assign(text.begin(), text.end());
   const double pixel = 1 / size;  // in em
   for (const PlacedGlyph& glyph : lay_out_text(node)) {
-    if (!glyph.shape) continue;
     const Bounds box = glyph.shape->bounds();
     const double x0 = left + glyph.offset.x * size, y0 = baseline - glyph.offset.y * size;
     const int first_x = std::max(0, static_cast<int>(std::floor(x0 + box.min.x * size)));

@@ -120,6 +120,7 @@ int solve_edge(const double* q, double* roots) {
   return kept;
 }
 
+// Without edges, as a blank is, it is never met, but its origin counts in the text's extents.
 class Glyph final : public Shape {
  public:
   Glyph(std::vector<Edge> edges, double depth)
@@ -193,6 +194,7 @@ class Glyph final : public Shape {
 
   static Bounds box_of(const std::vector<Edge>& edges, double depth) {
     Bounds box;
+    if (edges.empty()) box = Bounds(Vec3(0, 0, -1e-6), Vec3(0, 0, depth + 1e-6));
     for (const Edge& e : edges) {
       for (const Vec2& p : {e.a, e.c, e.curved ? e.b : e.a}) {
         box.extend(Vec3(p.x, p.y, -1e-6));
@@ -422,11 +424,9 @@ std::vector<PlacedGlyph> lay_out_text(const TextNode& node) {
     const double bearing = static_cast<double>(slot->metrics.horiBearingX) * font.unit();
     auto known_shape = known.find(index);
     if (known_shape == known.end()) {
-      std::shared_ptr<const Shape> shape;
-      if (character != u' ') {
-        std::vector<Edge> edges = outline_of(slot->outline, font.unit());
-        if (!edges.empty()) shape = std::make_shared<Glyph>(std::move(edges), node.depth);
-      }
+      std::vector<Edge> edges;
+      if (character != u' ') edges = outline_of(slot->outline, font.unit());
+      auto shape = std::make_shared<Glyph>(std::move(edges), node.depth);
       known_shape = known.emplace(index, std::move(shape)).first;
     }
     // FreeType's outlines start at their bearing; the first character starts at 0.

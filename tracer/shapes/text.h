@@ -10,7 +10,7 @@
 namespace durer {
 
 struct PlacedGlyph {
-  std::shared_ptr<const Shape> shape;  // null: nothing to see, as of a space
+  std::shared_ptr<const Shape> shape;  // of no area, as of a space, perhaps
   Vec3 offset;
 };
 

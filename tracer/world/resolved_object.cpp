@@ -455,7 +455,6 @@ ResolvedObject ObjectResolver::resolve_text(const TextNode& node) {
   result.kind = ResolvedObject::Kind::csg;
   result.csg = CsgKind::union_;
   for (const PlacedGlyph& glyph : lay_out_text(node)) {
-    if (!glyph.shape) continue;
     ResolvedObject member;
     member.shape = glyph.shape;
     member.shape_kind = static_cast<uint8_t>(ShapeNode(std::in_place_type<Rare<TextNode>>).index());
