@@ -39,7 +39,7 @@ class FinishReader {
 
   bool accept_number() {
     if (parser_.accept(Keyword::diffuse)) {
-      albedo_diffuse_ = parser_.accept(Keyword::albedo);
+      if (parser_.accept(Keyword::albedo)) albedo_diffuse_ = true;
       finish_.diffuse = number();
       parser_.accept_comma();
       if (parser_.at_expression()) {
@@ -49,12 +49,12 @@ class FinishReader {
     } else if (parser_.accept(Keyword::brilliance)) {
       finish_.brilliance = number();
     } else if (parser_.accept(Keyword::phong)) {
-      albedo_phong_ = parser_.accept(Keyword::albedo);
+      if (parser_.accept(Keyword::albedo)) albedo_phong_ = true;
       finish_.phong = number();
     } else if (parser_.accept(Keyword::phong_size)) {
       finish_.phong_size = number();
     } else if (parser_.accept(Keyword::specular)) {
-      albedo_specular_ = parser_.accept(Keyword::albedo);
+      if (parser_.accept(Keyword::albedo)) albedo_specular_ = true;
       finish_.specular = number();
     } else if (parser_.accept(Keyword::roughness)) {
       finish_.roughness = number();
@@ -160,7 +160,8 @@ class FinishReader {
     return true;
   }
 
-  // `albedo`: the share of light that the lobe sends back in all (8.3, 8.4).
+  // `albedo`: the share of light that the lobe sends back in all (8.3, 8.4). The word holds for its whole
+  // block: also `phong albedo 0.2 phong 0.1` gives a share (measured on povray 3.7).
   void apply_albedo() {
     if (albedo_diffuse_) {
       finish_.diffuse *= (finish_.brilliance + 1) / 2;
