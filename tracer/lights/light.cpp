@@ -40,7 +40,8 @@ double Light::attenuation_of_shape(const Vec3& point, const LightDirection& to_l
   double result = 1;
   if (node_.kind == LightKind::spot) {
     double cosine = node_.parallel ? 1.0 : -dot(to_light.direction, axis_);
-    if (to_light.distance <= 0 && !node_.parallel) cosine = -cosine;
+    // Behind a parallel light as well (measured on povray 3.7).
+    if (to_light.distance <= 0) cosine = -cosine;
     if (cosine <= 0) return 0;
     result = node_.tightness == 0 ? 1.0 : std::pow(cosine, node_.tightness);
     if (cos_radius_ > 0 && cosine < cos_radius_) {

@@ -11,3 +11,5 @@ plane { y, 0 pigment { rgb <0.8, 0.78, 0.7> } finish { ambient 0.05 diffuse 0.8 
 
 light_source { <0.2, 0.5, 0> rgb 0.7 parallel point_at <1.2, 0, 0.4> }
 light_source { <-0.2, 0.5, 0> rgb <0.6, 0.2, 0.1> parallel point_at <-1.2, 0.2, 0.4> fade_distance 2 fade_power 1.5 }
+// With spotlight, behind the plane is behind the cone.
+light_source { <1.5, 1, 1> rgb <0.1, 0.5, 0.3> spotlight parallel point_at <3, 0, -1> }
