@@ -38,7 +38,8 @@ RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& text
     product *= c.rgb() * c.filter + RGB(c.transmit);
     if (caustics != 0) {
       TextureContext bent = context;
-      const Vec3 normal = normalize_or_zero(layer_normal(layer, frames, point, bent));
+      const Vec3 normal =
+          normalize_or_zero(layer_normal(layer, frames, point, context.normal, bent));
       const double cosine = std::abs(dot(normal, context.ray_direction));
       product *= static_cast<float>(1 + std::pow(cosine, caustics));
     }

@@ -151,17 +151,23 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
 
   for (const TextureLayer& layer : texture.layers) {
     if (trans <= bailout) break;
-    // The layer's normal and colour.
+    // The layer's normal and colour. Patterns that look at the normal see the one bumped last, maybe by
+    // another layer.
     Vec3 normal = hit.context.normal;
     const TextureContext* context = &hit.context;
     Uncleared<TextureContext> bumped;
     if (layer.normal) {
       context = &bumped.emplace(hit.context);
-      normal = layer_normal(layer, frames, point, bumped.value);
+      bumped.value.normal = hit.last_normal;
+      normal = layer_normal(layer, frames, point, hit.context.normal, bumped.value);
       // Nothing that such a layer adds is a number either.
       if (std::isnan(normal.x)) [[unlikely]] color += RGB(std::numeric_limits<float>::quiet_NaN());
+      hit.last_normal = context->normal;
+      hit.is_bumped = true;
+    } else if (hit.is_bumped) {
+      context = &bumped.emplace(hit.context);
+      bumped.value.normal = hit.last_normal;
     }
-    hit.last_normal = context->normal;
     if (!first_layer) {
       first_layer = &layer;
       top_normal = normal;

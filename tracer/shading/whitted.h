@@ -72,6 +72,7 @@ class WhittedIntegrator : public Integrator {
     ShadowedLights* lights = nullptr;  // null: asked for once only
     // Of the layer shaded last: `slope` sees it where the next texture of a map is chosen.
     mutable Vec3 last_normal;
+    mutable bool is_bumped = false;  // last_normal is some layer's
     // Indirect light is asked once for all layers.
     mutable bool ambient_asked = false, has_ambient = false;
     mutable RGB ambient{0.0f};

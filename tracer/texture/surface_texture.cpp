@@ -108,9 +108,9 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
 }  // namespace
 
 Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, const Vec3& point,
-                  TextureContext& context) {
-  if (!layer.normal) return context.normal;
-  context.normal = layer.normal->perturb(point, context, enclosing.inwards(context.normal));
+                  const Vec3& smooth, TextureContext& context) {
+  if (!layer.normal) return smooth;
+  context.normal = layer.normal->perturb(point, context, enclosing.inwards(smooth));
   return enclosing.outwards(layer.normal_keeps_length ? normalize_or_zero(context.normal)
                                                       : context.normal);
 }

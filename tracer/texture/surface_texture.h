@@ -85,10 +85,11 @@ struct CompiledTexture {
 };
 
 // The normal of a layer for shading; not of length 1 under a patterned texture with no_bump_scale.
-// context.normal is the geometric one, facing the ray, on entry, and what the layer's pigment sees on
-// return: bent, but still in the space of the enclosing textures.
+// `smooth` is the normal of the shape, facing the ray. context.normal is what the layer's normal pattern
+// sees on entry (bent, if another layer was shaded before), and what its pigment sees on return: bent, but
+// still in the space of the enclosing textures.
 Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, const Vec3& point,
-                  TextureContext& context);
+                  const Vec3& smooth, TextureContext& context);
 
 // Compiles a texture; what cannot be rendered yet is reported through NotSupported.
 CompiledTexture compile_texture(const TextureNode& texture, const TextureSettings& settings);
