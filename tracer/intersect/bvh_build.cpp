@@ -6,6 +6,7 @@
 #include <immintrin.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace durer {
@@ -66,6 +67,14 @@ struct Range {
   }
 };
 
+// Where an item's centre lies among the bins.
+struct Binning {
+  float low, scale;
+  int axis;
+
+  float place(const BvhBuildItem& item) const { return (center(item, axis) - low) * scale; }
+};
+
 class Builder {
  public:
   Builder(std::vector<BvhBuildItem>& boxes, std::vector<BvhNode>& nodes)
@@ -83,33 +92,8 @@ class Builder {
   uint32_t build_node(const Range& whole) {
     const uint32_t index = static_cast<uint32_t>(nodes_.size());
     nodes_.emplace_back();
-    // Open the widest range until eight are found.
     Range range[8];
-    float area[8];
-    int count = 1;
-    range[0] = whole;
-    area[0] = whole.box.half_area();
-    const auto widest_above = [&](uint32_t leaf_size) {
-      int widest = -1;
-      float most = -1;
-      for (int i = 0; i < count; ++i) {
-        if (range[i].count() > leaf_size && area[i] > most) {
-          most = area[i];
-          widest = i;
-        }
-      }
-      return widest;
-    };
-    while (count < 8) {
-      int widest = widest_above(kLeafSize);
-      // Room for a box to each item saves tests of items, and costs nothing.
-      if (widest < 0) widest = widest_above(1);
-      if (widest < 0) break;
-      split(range[widest], range[count]);
-      area[widest] = range[widest].box.half_area();
-      area[count] = range[count].box.half_area();
-      ++count;
-    }
+    const int count = divide(whole, range);
     for (int i = 0; i < 8; ++i) {
       uint32_t child = 0;
       if (i < count) {
@@ -133,6 +117,39 @@ class Builder {
     return index;
   }
 
+  // Up to eight ranges of what becomes one node; returns how many.
+  int divide(const Range& whole, Range (&range)[8]) {
+    int count = 0;
+    if (whole.count() <= 8) {
+      // A box to each item saves tests of items, and costs nothing.
+      for (uint32_t i = whole.begin; i < whole.end; ++i) range[count++] = range_of(i, i + 1);
+      return count;
+    }
+    // Open the widest range until eight are found. (Of more than eight items, one has two or more.)
+    float area[8];
+    range[0] = whole;
+    area[0] = whole.box.half_area();
+    const auto widest_above = [&](uint32_t leaf_size) {
+      int widest = -1;
+      float most = -1;
+      for (int i = 0; i < count; ++i) {
+        if (range[i].count() > leaf_size && area[i] > most) {
+          most = area[i];
+          widest = i;
+        }
+      }
+      return widest;
+    };
+    for (count = 1; count < 8; ++count) {
+      int widest = widest_above(kLeafSize);
+      if (widest < 0) widest = widest_above(1);
+      split(range[widest], range[count]);
+      area[widest] = range[widest].box.half_area();
+      area[count] = range[count].box.half_area();
+    }
+    return count;
+  }
+
   // Parts the items where the cost is least; by number where all centres coincide. The first part
   // stays in `left`.
   void split(Range& left, Range& right) {
@@ -150,32 +167,25 @@ class Builder {
       split_exactly(left, right, axis);
       return;
     }
-    const float scale = kBins / extents[axis];
-    const auto bin_of = [&, low = least[axis]](const BvhBuildItem& item) {
-      const int bin = static_cast<int>((center(item, axis) - low) * scale);
-      return std::clamp(bin, 0, kBins - 1);
-    };
-    const int last_bin = extents[axis] > 0 ? best_split(whole, bin_of) : -1;
-    if (last_bin < 0) {
+    const Binning binning{least[axis], kBins / extents[axis], axis};
+    const int left_bins =
+        std::isfinite(binning.scale) ? find_best_split(whole, binning, left, right) : 0;
+    if (left_bins == 0) {
       const uint32_t middle = whole.begin + whole.count() / 2;
       left = range_of(whole.begin, middle);
       right = range_of(middle, whole.end);
       return;
     }
-    left = {whole.begin, whole.begin, {}, {}};
-    right = {whole.end, whole.end, {}, {}};
-    while (left.end < right.begin) {
-      BvhBuildItem& item = boxes_[left.end];
-      if (bin_of(item) <= last_bin) {
-        left.extend(item);
-        ++left.end;
-      } else {
-        right.extend(item);
-        BvhBuildItem& last = boxes_[--right.begin];
-        const ItemRows here(item), there(last);
-        here.store(last);
-        there.store(item);
-      }
+    // Every item changes places with the first of the second part, which moves on where it belongs to
+    // the first: processors cannot guess where.
+    const float border = static_cast<float>(left_bins);
+    uint32_t first = whole.begin;
+    for (uint32_t i = whole.begin; i < whole.end; ++i) {
+      const ItemRows here(boxes_[i]), there(boxes_[first]);
+      const bool is_left = binning.place(boxes_[i]) < border;
+      there.store(boxes_[i]);
+      here.store(boxes_[first]);
+      first += is_left;
     }
   }
 
@@ -214,39 +224,44 @@ class Builder {
     }
   }
 
-  // The last bin of the first part; -1: all are in one bin.
-  template <typename BinOf>
-  int best_split(const Range& range, const BinOf& bin_of) const {
-    Box box[kBins];
+  // Finds the two parts; returns how many bins are the first's, 0 where all items are in one bin.
+  int find_best_split(const Range& range, const Binning& binning, Range& left, Range& right) const {
+    Box box[kBins], centers[kBins];
     uint32_t count[kBins] = {};
     for (uint32_t i = range.begin; i < range.end; ++i) {
-      const int bin = bin_of(boxes_[i]);
-      box[bin].extend(low_of(boxes_[i]), high_of(boxes_[i]));
+      const int bin = std::clamp(static_cast<int>(binning.place(boxes_[i])), 0, kBins - 1);
+      const __m128 low = low_of(boxes_[i]), high = high_of(boxes_[i]), sum = _mm_add_ps(low, high);
+      box[bin].extend(low, high);
+      centers[bin].extend(sum, sum);
       ++count[bin];
     }
+    Range after[kBins];  // the bins from each on
     float right_cost[kBins];
-    Box sweep;
-    uint32_t swept = 0;
+    Range swept{range.end, range.end, {}, {}};
     for (int i = kBins - 1; i > 0; --i) {
-      sweep.extend(box[i]);
-      swept += count[i];
-      right_cost[i] = swept ? sweep.half_area() * static_cast<float>(swept) : 0;
+      swept.box.extend(box[i]);
+      swept.centers.extend(centers[i]);
+      swept.begin -= count[i];
+      after[i] = swept;
+      right_cost[i] = swept.count() ? swept.box.half_area() * static_cast<float>(swept.count()) : 0;
     }
-    sweep = Box();
-    swept = 0;
+    swept = {range.begin, range.begin, {}, {}};
     float best = kInfinity;
-    int best_bin = -1;
+    int left_bins = 0;
     for (int i = 0; i + 1 < kBins; ++i) {
-      sweep.extend(box[i]);
-      swept += count[i];
-      if (swept == 0 || swept == range.count()) continue;
-      const float cost = sweep.half_area() * static_cast<float>(swept) + right_cost[i + 1];
+      swept.box.extend(box[i]);
+      swept.centers.extend(centers[i]);
+      swept.end += count[i];
+      if (count[i] == 0 || swept.count() == range.count()) continue;
+      const float cost = swept.box.half_area() * static_cast<float>(swept.count()) + right_cost[i + 1];
       if (cost < best) {
         best = cost;
-        best_bin = i;
+        left_bins = i + 1;
+        left = swept;
+        right = after[left_bins];
       }
     }
-    return best_bin;
+    return left_bins;
   }
 
   std::vector<BvhBuildItem>& boxes_;
