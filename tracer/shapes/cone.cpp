@@ -86,7 +86,37 @@ class Cone final : public Shape {
     const double b = o.x * direction.x + o.y * direction.y - o.z * outward;
     const double c = o.x * o.x + o.y * o.y - (is_cylinder_ ? 1 : o.z * o.z);
     const double b2 = b * b, ac = a * c;
-    return a > 2 * kGeometryEpsilon * length2 && b2 - ac < -1e-12 * (b2 + ac);
+    if (!(a > 2 * kGeometryEpsilon * length2)) return false;
+    const double doubt = 1e-12 * (b2 + std::abs(ac));
+    if (b2 - ac < -doubt) return true;
+    if (!is_cylinder_) return false;
+    // How far beyond the nearer end the middle of the way inside lies, times a, and half that way's
+    // height, times a.
+    const double beyond =
+        std::abs((o.z - 0.5) * a - b * direction.z) - (0.5 + kRim * (1 + std::abs(o.z))) * a;
+    return beyond > 0 && beyond * beyond > (b2 - ac + doubt) * direction.z * direction.z;
+  }
+
+  static void add(double t, Part which, LineHits& out) {
+    if (t > 1e-9 && t < kGreatestDepth) out.add(t, which);
+  }
+
+  // Where a line crosses the plane of a disc, and how far from the axis.
+  struct DiscCrossing {
+    DiscCrossing(const Vec3& o, const Vec3& d, double z) : t((z - o.z) / d.z) {
+      const double x = o.x + t * d.x, y = o.y + t * d.y;
+      radius2 = x * x + y * y;
+    }
+    double t, radius2;
+  };
+
+  // Whether a line crosses both discs of a cylinder beyond doubt, and so not its side; adds them.
+  static bool goes_through_discs(const Vec3& o, const Vec3& d, double radius2, LineHits& out) {
+    const DiscCrossing at_cap(o, d, 1), at_base(o, d, 0);
+    if (!((at_cap.radius2 < radius2) & (at_base.radius2 < radius2))) return false;
+    add(at_cap.t, cap, out);
+    add(at_base.t, base, out);
+    return true;
   }
 
   // Depths in normalised local space; returns how many times those in the world they are. (Each
@@ -99,7 +129,7 @@ class Cone final : public Shape {
     const Vec3 d = ray.direction * (1 / stretch);
     const auto add_side = [&](double t) {
       const double z = o.z + t * d.z;
-      if (t > 1e-9 && t < kGreatestDepth && z >= least_z_ && z <= 1) out.add(t, side);
+      if (z >= least_z_ && z <= 1) add(t, side, out);
       return z;
     };
     // Both crossings of a side that the line is inside of between them. Returns whether it may meet
@@ -113,9 +143,13 @@ class Cone final : public Shape {
     };
     if (is_cylinder_) {
       const double a = d.x * d.x + d.y * d.y;
+      const double c = o.x * o.x + o.y * o.y - 1;
+      // Steep lines mostly go from disc to disc.
+      if (closed_ && d.z * d.z > a && goes_through_discs(o, d, 1 - kRim - 1e-12 * std::abs(c), out)) {
+        return stretch;
+      }
       if (a > kGeometryEpsilon) {
         const double b = o.x * d.x + o.y * d.y;
-        const double c = o.x * o.x + o.y * o.y - 1;
         const double discriminant = b * b - a * c;
         // A line that passes by the side passes by the discs, too.
         if (discriminant < 0) return 1;
@@ -141,9 +175,8 @@ class Cone final : public Shape {
     }
     if (closed_ && std::abs(d.z) > kGeometryEpsilon) {
       const auto add_disc = [&](double z, double radius2, Part which) {
-        const double t = (z - o.z) / d.z;
-        const double x = o.x + t * d.x, y = o.y + t * d.y;
-        if (x * x + y * y <= radius2 && t > 1e-9 && t < kGreatestDepth) out.add(t, which);
+        const DiscCrossing met(o, d, z);
+        if (met.radius2 <= radius2) add(met.t, which, out);
       };
       add_disc(1, 1, cap);
       add_disc(least_z_, is_cylinder_ ? 1 : least_z_ * least_z_, base);
