@@ -15,7 +15,6 @@ namespace {
 constexpr int kBins = 16;
 // Ranges of up to this many are split exactly: bins would cost more than they save.
 constexpr uint32_t kExactSize = 12;
-constexpr uint32_t kLeafSize = 2;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Corners in lanes 0 to 2; lane 3 means nothing.
@@ -97,7 +96,7 @@ class Builder {
     for (int i = 0; i < 8; ++i) {
       uint32_t child = 0;
       if (i < count) {
-        child = range[i].count() <= kLeafSize
+        child = is_leaf(range[i])
                     ? BvhNode::kLeaf | range[i].begin << 3 | (range[i].count() - 1)
                     : build_node(range[i]);
       }
@@ -117,6 +116,15 @@ class Builder {
     return index;
   }
 
+  // One item, or two that fill the box around them: far from each other, they are worth a node of their
+  // own, which costs less than tests in vain.
+  bool is_leaf(const Range& range) const {
+    if (range.count() != 2) return range.count() < 2;
+    const BvhBuildItem &first = boxes_[range.begin], &second = boxes_[range.begin + 1];
+    const Box boxes[2] = {{low_of(first), high_of(first)}, {low_of(second), high_of(second)}};
+    return boxes[0].half_area() + boxes[1].half_area() > range.box.half_area();
+  }
+
   // Up to eight ranges of what becomes one node; returns how many.
   int divide(const Range& whole, Range (&range)[8]) {
     int count = 0;
@@ -129,22 +137,17 @@ class Builder {
     float area[8];
     range[0] = whole;
     area[0] = whole.box.half_area();
-    const auto widest_above = [&](uint32_t leaf_size) {
-      int widest = -1;
-      float most = -1;
+    const auto widest = [&] {
+      int best = -1;
       for (int i = 0; i < count; ++i) {
-        if (range[i].count() > leaf_size && area[i] > most) {
-          most = area[i];
-          widest = i;
-        }
+        if (range[i].count() > 1 && (best < 0 || area[i] > area[best])) best = i;
       }
-      return widest;
+      return best;
     };
     for (count = 1; count < 8; ++count) {
-      int widest = widest_above(kLeafSize);
-      if (widest < 0) widest = widest_above(1);
-      split(range[widest], range[count]);
-      area[widest] = range[widest].box.half_area();
+      const int opened = widest();
+      split(range[opened], range[count]);
+      area[opened] = range[opened].box.half_area();
       area[count] = range[count].box.half_area();
     }
     return count;
