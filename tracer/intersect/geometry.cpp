@@ -11,6 +11,15 @@ namespace {
 // Composites with at least this many children get a hierarchy (performance.md 4).
 constexpr uint32_t kTreeThreshold = 24;
 
+// ShapeNode::index() of one kind of shape.
+template <typename Kind, typename... Kinds>
+constexpr uint8_t index_of(const std::variant<Kinds...>*) {
+  uint8_t index = 0;
+  (void)((std::is_same_v<Kind, Kinds> || (++index, false)) || ...);
+  return index;
+}
+constexpr uint8_t kMeshKind = index_of<Rare<MeshNode>>(static_cast<const ShapeNode*>(nullptr));
+
 // The next double up: lets a later child take over at equal depth.
 double just_beyond(double t) { return std::nextafter(t, HUGE_VAL); }
 
@@ -77,6 +86,10 @@ bool Geometry::inside_unclipped(uint32_t index, const Vec3& point) const {
   const GeometryNode& node = nodes[index];
   switch (node.kind) {
     case NodeKind::shape: {
+      if (node.transform >= 0 && node.shape_kind == kMeshKind) [[unlikely]] {
+        const Transform& placement = transforms[node.transform];
+        return node.shape->inside_moved(placement.inverse_point(point), placement) != node.inverted;
+      }
       const Vec3 local =
           node.transform < 0 ? point : transforms[node.transform].inverse_point(point);
       return node.inverted ? node.shape->inside_inverted(local) : node.shape->inside(local);

@@ -85,15 +85,10 @@ class Mesh final : public Shape {
     return hit.t < ray.t_max && hit.t >= kLeastHitDepth;
   }
 
-  bool inside(const Vec3& point) const override {
-    if (!is_solid_) return false;
-    ShapeRay ray{point, inside_direction_, true, true, kHugeDepth};
-    const LocalRay local(ray);
-    int count = 0;
-    for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
-      count += depth_of(local, face, is_sure) >= 0;
-    });
-    return count % 2 != 0;
+  bool inside(const Vec3& point) const override { return inside_along(point, inside_direction_); }
+  // inside_vector stays as it is where the mesh is turned: meshes with holes show it.
+  bool inside_moved(const Vec3& point, const Transform& placement) const override {
+    return inside_along(point, placement.inverse_direction(inside_direction_));
   }
 
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
@@ -155,6 +150,17 @@ class Mesh final : public Shape {
   bool needs_object_texture() const override { return !all_textured_; }
 
  private:
+  // Whether a ray meets an odd number of triangles.
+  bool inside_along(const Vec3& point, const Vec3& direction) const {
+    if (!is_solid_) return false;
+    const LocalRay local(ShapeRay{point, direction, false, true, kHugeDepth});
+    int count = 0;
+    for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
+      count += depth_of(local, face, is_sure) >= 0;
+    });
+    return count % 2 != 0;
+  }
+
   struct LocalRay {
     explicit LocalRay(const ShapeRay& ray) : origin(ray.origin) {
       length = ray.unit_direction ? 1 : durer::length(ray.direction);
