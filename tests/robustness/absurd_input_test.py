@@ -128,6 +128,7 @@ IMAGES = {
     "tga": b"\0\0\x0a" + b"\0" * 9 + struct.pack("<HHBB", 3, 2, 24, 0) + b"\x85abc",
     "bmp": b"BM\x4e\0\0\0\0\0\0\0\x36\0\0\0" + struct.pack("<IiiHHIIiiII", 40, 3, 2, 1, 24, 0, 24, 0, 0, 0, 0)
            + bytes(range(24)),
+    "hdr": b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 9\n" + (b"\2\2\0\x09" + b"\x89\x50" * 4) * 2,
 }
 
 

@@ -96,7 +96,10 @@ RasterFile read_bmp(const std::string& path) {
     return file;
   }
   for (size_t y = height; y-- > 0;) {
-    const uint8_t* from = in.take((width * static_cast<size_t>(bits) + 31) / 32 * 4);
+    const size_t used = (width * static_cast<size_t>(bits) + 7) / 8;
+    const uint8_t* from = in.take(used);
+    // Some programs leave out what would fill up the file's last row.
+    if (y > 0) in.skip((used + 3) / 4 * 4 - used);
     uint8_t* to = file.bytes.data() + y * width * static_cast<size_t>(channels);
     for (size_t x = 0; x < width; ++x) {
       if (bits == 4) {

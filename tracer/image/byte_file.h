@@ -31,6 +31,7 @@ class ByteFile {
     return bytes_.data() + position_ - count;
   }
   void skip(size_t count) { take(count); }
+  void step_back(size_t count) { position_ -= count; }
   void rewind() { position_ = 0; }
 
  private:

@@ -1,7 +1,6 @@
 #include <gif_lib.h>
 
-#include <array>
-#include <cstring>
+#include <memory>
 #include <stdexcept>
 
 #include "tracer/image/raster_file.h"
@@ -13,56 +12,69 @@ namespace {
 struct Gif {
   SharedLibrary library{DURER_GIF_LIBRARY};
   DURER_IMPORT(DGifOpenFileName);
-  DURER_IMPORT(DGifSlurp);
-  DURER_IMPORT(DGifSavedExtensionToGCB);
+  DURER_IMPORT(DGifGetRecordType);
+  DURER_IMPORT(DGifGetImageDesc);
+  DURER_IMPORT(DGifGetLine);
+  DURER_IMPORT(DGifGetExtension);
+  DURER_IMPORT(DGifGetExtensionNext);
+  DURER_IMPORT(DGifExtensionToGCB);
   DURER_IMPORT(DGifCloseFile);
 };
 
 const Gif& giflib() { return loaded<Gif>(); }
 
-// Puts the rows of an interlaced image back into the order that the file has them in: POV-Ray shows
-// them so.
-std::vector<uint8_t> rows_as_stored(const std::vector<uint8_t>& rows, int width, int height) {
-  struct Pass {
-    int first, step;
-  };
-  constexpr std::array<Pass, 4> kPasses{{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
-  std::vector<uint8_t> stored(rows.size());
-  uint8_t* to = stored.data();
-  for (const Pass& pass : kPasses)
-    for (int y = pass.first; y < height; y += pass.step, to += width)
-      std::memcpy(to, rows.data() + static_cast<size_t>(y) * width, width);
-  return stored;
+using OpenGif = std::unique_ptr<GifFileType, void (*)(GifFileType*)>;
+
+[[noreturn]] void fail(const std::string& path) {
+  throw std::runtime_error("the image '" + path + "' is no readable GIF");
+}
+
+// Goes on to the first image. Returns the index that an extension before it makes transparent, or
+// NO_TRANSPARENT_COLOR.
+int read_up_to_image(GifFileType* gif, const std::string& path) {
+  GraphicsControlBlock control{};
+  control.TransparentColor = NO_TRANSPARENT_COLOR;
+  for (GifRecordType record{}; giflib().DGifGetRecordType(gif, &record) == GIF_OK;) {
+    if (record == IMAGE_DESC_RECORD_TYPE && giflib().DGifGetImageDesc(gif) == GIF_OK)
+      return control.TransparentColor;
+    if (record != EXTENSION_RECORD_TYPE) break;
+    int function = 0;
+    GifByteType* data = nullptr;  // the first byte says how many follow
+    if (giflib().DGifGetExtension(gif, &function, &data) != GIF_OK) break;
+    if (data && function == GRAPHICS_EXT_FUNC_CODE)
+      giflib().DGifExtensionToGCB(data[0], data + 1, &control);
+    while (data)
+      if (giflib().DGifGetExtensionNext(gif, &data) != GIF_OK) fail(path);
+  }
+  fail(path);
 }
 
 }  // namespace
 
+// The first image, and nothing behind it. The rows of interlaced ones are shown in the order of the
+// file, as POV-Ray shows them.
 RasterFile read_gif(const std::string& path) {
   int code = 0;
-  GifFileType* gif = giflib().DGifOpenFileName(path.c_str(), &code);
+  const OpenGif open(giflib().DGifOpenFileName(path.c_str(), &code), [](GifFileType* gif) {
+    if (gif) giflib().DGifCloseFile(gif, nullptr);
+  });
+  GifFileType* gif = open.get();
   if (!gif) throw std::runtime_error("the image '" + path + "' cannot be opened as GIF");
-  const bool read = giflib().DGifSlurp(gif) == GIF_OK && gif->ImageCount > 0;
-  const SavedImage* image = read ? &gif->SavedImages[0] : nullptr;
-  const ColorMapObject* colors = nullptr;
-  if (image) colors = image->ImageDesc.ColorMap ? image->ImageDesc.ColorMap : gif->SColorMap;
+  const int transparent = read_up_to_image(gif, path);
+  const ColorMapObject* colors = gif->Image.ColorMap ? gif->Image.ColorMap : gif->SColorMap;
+  if (!colors) fail(path);
   RasterFile file;
-  if (colors) {
-    file.width = image->ImageDesc.Width;
-    file.height = image->ImageDesc.Height;
-    file.bytes.assign(image->RasterBits,
-                      image->RasterBits + static_cast<size_t>(file.width) * file.height);
-    if (image->ImageDesc.Interlace)
-      file.bytes = rows_as_stored(file.bytes, file.width, file.height);
-    GraphicsControlBlock control{};
-    const bool has_control = giflib().DGifSavedExtensionToGCB(gif, 0, &control) == GIF_OK;
-    for (int i = 0; i < colors->ColorCount; ++i) {
-      const GifColorType& c = colors->Colors[i];
-      const bool transparent = has_control && control.TransparentColor == i;
-      file.add_to_palette({c.Red, c.Green, c.Blue, transparent ? uint8_t{0} : uint8_t{255}});
-    }
+  file.width = gif->Image.Width;
+  file.height = gif->Image.Height;
+  check_size(path, file.width, file.height);
+  const size_t width = static_cast<size_t>(file.width);
+  file.bytes.resize(width * static_cast<size_t>(file.height));
+  for (size_t i = 0; i < file.bytes.size(); i += width)
+    if (giflib().DGifGetLine(gif, &file.bytes[i], file.width) != GIF_OK) fail(path);
+  for (int i = 0; i < colors->ColorCount; ++i) {
+    const GifColorType& c = colors->Colors[i];
+    file.add_to_palette({c.Red, c.Green, c.Blue, i == transparent ? uint8_t{0} : uint8_t{255}});
   }
-  giflib().DGifCloseFile(gif, &code);
-  if (!colors) throw std::runtime_error("the image '" + path + "' is no readable GIF");
   return file;
 }
 

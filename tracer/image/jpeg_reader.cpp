@@ -1,5 +1,6 @@
 #include <cstdio>
-// jpeglib.h needs FILE.
+// These need FILE.
+#include <jerror.h>
 #include <jpeglib.h>
 
 #include <csetjmp>
@@ -38,14 +39,17 @@ struct ErrorHandler {
   std::longjmp(handler->jump, 1);
 }
 
-void ignore_message(j_common_ptr) {}
+// A file that ends too soon is refused, other damage is passed over, as in POV-Ray.
+void take_warning(j_common_ptr jpeg, int level) {
+  if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) leave(jpeg);
+}
 
 // What a longjmp passes over is kept outside.
 bool decode(std::FILE* stream, RasterFile& file, ErrorHandler& handler) {
   jpeg_decompress_struct jpeg;
   jpeg.err = libjpeg().jpeg_std_error(&handler.base);
   handler.base.error_exit = leave;
-  handler.base.output_message = ignore_message;
+  handler.base.emit_message = take_warning;
   if (setjmp(handler.jump)) {
     libjpeg().jpeg_destroy_decompress(&jpeg);
     return false;

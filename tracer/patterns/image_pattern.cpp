@@ -15,11 +15,13 @@
 namespace durer {
 namespace {
 
-// TIFF and OpenEXR are kept as RGBA, alpha in the file or not; palettes of TIFF and BMP have none.
+// TIFF, OpenEXR and Radiance are kept as RGBA, alpha in the file or not; palettes of TIFF and BMP have
+// none.
 bool has_alpha_to_povray(const Image& image) {
   if (image.type() == ImageFileType::tiff) return !image.is_palette();
   if (image.type() == ImageFileType::bmp) return image.has_alpha();
-  return image.has_alpha() || image.is_palette() || image.type() == ImageFileType::exr;
+  return image.has_alpha() || image.is_palette() || image.type() == ImageFileType::exr ||
+         image.type() == ImageFileType::hdr;
 }
 
 class ImagePattern : public BasePattern {
