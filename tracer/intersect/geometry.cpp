@@ -159,7 +159,8 @@ void Geometry::shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stac
   stack.owner = index;
   ShapeRay local = shape_ray(ray, node.transform < 0 ? nullptr : &transforms[node.transform]);
   // The first hit may be clipped away.
-  local.csg_child = node.csg_child || node.clips.count;
+  local.is_clipped = node.clips.count != 0;
+  local.csg_child = node.csg_child || local.is_clipped;
   node.shape->hits(local, stack);
   stack.count_test(node.shape_kind, stack.size() > base);
   if (node.clips.count == 0) return;

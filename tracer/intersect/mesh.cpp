@@ -5,6 +5,7 @@
 
 #include "tracer/intersect/bvh.h"
 #include "tracer/intersect/bvh_walk.h"
+#include "tracer/intersect/box_walk.h"
 #include "tracer/intersect/embree_mesh.h"
 #include "tracer/shapes/triangle.h"
 
@@ -45,6 +46,10 @@ class Mesh final : public Shape {
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
     const LocalRay local(ray);
+    if (ray.csg_child && !is_solid_ && !ray.is_clipped) {
+      hits_of_patches(local, out);
+      return;
+    }
     for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
       const double depth = depth_of(local, face, is_sure);
       if (depth >= 0) out.push(depth * local.scale, face);
@@ -223,6 +228,34 @@ class Mesh final : public Shape {
                                                                                           : -1;
   }
 
+  // Without inside_vector the walk ends where the next box starts behind the hit found last: what lies
+  // behind it is not there for CSG.
+  void hits_of_patches(const LocalRay& local, HitStack& out) const {
+    std::call_once(hierarchy_made_, [&] {
+      std::vector<FloatBox> boxes;
+      for (const auto& face : mesh_.face_vertices) {
+        Bounds box;
+        for (const int32_t v : face) box.extend(Vec3(mesh_.vertices[v]));
+        boxes.push_back(FloatBox::from(box));
+      }
+      hierarchy_ = std::make_unique<BoxHierarchy>(boxes);
+    });
+    thread_local BoxWalk walk;
+    walk.start(*hierarchy_, local.origin, local.direction);
+    double last = kGreatestDepth;
+    while (!walk.is_over()) {
+      double key;
+      const BoxHierarchy::Node& node = walk.next(key);
+      if (key > last) break;
+      if (node.element < 0) continue;
+      const uint32_t face = static_cast<uint32_t>(node.element);
+      const double depth = depth_of(local, face, false);
+      if (depth < 0) continue;
+      last = depth;
+      out.push(depth * local.scale, face);
+    }
+  }
+
   // visit(face, is_sure, limit) for triangles that the ray may meet before max_depth.
   template <typename Visit>
   void for_each_candidate(const LocalRay& ray, double max_depth, Visit&& visit) const {
@@ -252,6 +285,9 @@ class Mesh final : public Shape {
   const MeshNode& mesh_;
   Bvh bvh_;
   std::unique_ptr<EmbreeMesh> embree_;
+  // POV-Ray's, made when a CSG first asks for it.
+  mutable std::once_flag hierarchy_made_;
+  mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
   Bounds bounds_;
   Vec3 inside_direction_{0};
   bool is_solid_ = false;

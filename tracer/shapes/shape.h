@@ -26,6 +26,7 @@ struct ShapeRay {
   bool unit_direction = false;  // known to be of length 1
   bool csg_child = false;       // all hits are needed; otherwise a shape may stop at its first
   double t_max = kHugeDepth;    // hits from here on are of no interest (a hint)
+  bool is_clipped = false;      // any hit may be clipped away
 };
 
 struct ShapeHit {

@@ -8,7 +8,7 @@
 
 #include "tracer/scene/light.h"
 #include "tracer/shapes/shape.h"
-#include "tracer/world/float_box.h"
+#include "tracer/intersect/float_box.h"
 
 namespace durer {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tracer/math/vector.h"
-#include "tracer/world/float_box.h"
+#include "tracer/intersect/box_walk.h"
 
 namespace durer {
 
@@ -20,20 +20,7 @@ class TestOrder {
   bool is_tested_first(uint32_t a, uint32_t b, const Vec3& origin, const Vec3& direction) const;
 
  private:
-  struct Node {
-    FloatBox box;
-    bool is_infinite = false;
-    int64_t object = -1;  // of a leaf
-    uint32_t first = 0, count = 0;  // in entries_
-  };
-  void build(uint32_t finite_count);
-  bool split(uint32_t first, uint32_t last);
-  void bundle(uint32_t first, uint32_t last);
-
-  std::vector<Node> nodes_;
-  std::vector<uint32_t> list_;     // while it is built: numbers of nodes
-  std::vector<uint32_t> entries_;  // numbers of nodes
-  uint32_t root_ = 0;
+  BoxHierarchy hierarchy_;
   uint64_t number_;  // none else of this program has it
 };
 

@@ -1,4 +1,4 @@
-#include "tracer/world/float_box.h"
+#include "tracer/intersect/float_box.h"
 
 #include <algorithm>
 
