@@ -53,10 +53,11 @@ PictureOutput picture_output(const Options& options, const Scene& scene) {
       format.working = TransferCurve::power(scene.settings.assumed_gamma);
       break;
     case AssumedGamma::none:
-      // Scenes of the time before 3.7 are written unconverted, unless the user says "3.7".
       format.working = TransferCurve::neutral();
+      // Scenes of the time before 3.7 are written unconverted, unless the user says "3.7", and count as
+      // sRGB: a PNG says so, files of linear light hold their decoded colours (measured on povray 3.7).
       if (scene.effective_version < 370 && options.language_version < 370) {
-        format.file = TransferCurve::neutral();
+        format.working = format.file = TransferCurve::srgb();
       }
       break;
   }

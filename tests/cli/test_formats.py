@@ -18,6 +18,8 @@ class Formats(RenderCase):
         self.write("linear.pov", EXACT_SCENE.format(gamma="1.0", more=""))
         self.write("curved.pov", EXACT_SCENE.format(gamma="2.2", more=""))
         self.write("clear.pov", EXACT_SCENE.format(gamma="1.0", more="transmit all 0.4"))
+        old = EXACT_SCENE.format(gamma="1.0", more="").replace("assumed_gamma 1.0", "")
+        self.write("old.pov", old.replace("#version 3.7", "#version 3.6"))
 
     def compare(self, scene, *options):
         with self.subTest(scene=scene, options=options):
@@ -52,6 +54,15 @@ class Formats(RenderCase):
             self.compare("curved.pov", "+FN", "File_Gamma=" + gamma)
         self.compare("linear.pov", "+FT", "File_Gamma=2.2")
         self.compare("linear.pov", "+FE", "File_Gamma=2.2")
+
+    def test_scenes_without_gamma_count_as_srgb(self):
+        for letter in EXTENSIONS:
+            self.compare("old.pov", "+F" + letter, "File_Gamma=1.5")
+        self.compare("old.pov", "+FN")
+        theirs, ours = ((self.folder / name).read_bytes() for name in ("theirs.png", "ours.png"))
+        for chunk in (b"gAMA", b"sRGB"):
+            start = theirs.index(chunk)
+            self.assertIn(theirs[start - 4:start + 8], ours)
 
     def test_dithering(self):
         for method in ("B2", "B3", "B4", "D1", "D2", "FS"):

@@ -14,7 +14,7 @@ namespace durer {
 enum class DitherMethod { none, bayer2, bayer3, bayer4, diffusion1, diffusion2, floyd_steinberg };
 
 struct PixelFormat {
-  TransferCurve working;  // of the scene (assumed_gamma); neutral where gamma handling is off
+  TransferCurve working;  // of the scene (assumed_gamma); sRGB where gamma handling is off
   TransferCurve file = TransferCurve::srgb();
   int bits = 8;  // per channel, 5..16
   bool alpha = false;
