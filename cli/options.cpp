@@ -165,6 +165,10 @@ void resolve_streams(const OptionValues& values, Options& options) {
   options.append_files = values.toggle(Option::append_file, false);
   options.verbose = values.toggle(Option::verbose, true);
   options.stats_file = values.text(Option::stats_file);
+  if (options.stats_file == "-" && options.output_to_file &&
+      (options.output_name == "-" || options.output_name == "stdout")) {
+    throw OptionError("the picture and the statistics cannot both be written to standard output");
+  }
   options.create_ini = values.text(Option::create_ini);
   options.preview_interval = std::max(values.number(Option::preview_interval, 0), 0.0);
 }

@@ -287,6 +287,14 @@ TEST(CliOptions, Clamping) {
   EXPECT_THROW(options_of({"+W-5"}), OptionError);
 }
 
+TEST(CliOptions, StandardOutputTakesOneThing) {
+  EXPECT_THROW(options_of({"-O-", "--stats", "-"}), OptionError);
+  EXPECT_THROW(options_of({"--stats", "-", "+Ostdout"}), OptionError);
+  EXPECT_EQ(options_of({"-O-", "--stats", "file"}).stats_file, "file");
+  EXPECT_EQ(options_of({"+Ostderr", "--stats", "-"}).stats_file, "-");
+  EXPECT_EQ(options_of({"-O-", "-F", "--stats", "-"}).stats_file, "-");
+}
+
 TEST(CliOptions, Streams) {
   const Options silent = options_of({"-GA"});
   for (const StreamOptions& stream : silent.streams) EXPECT_FALSE(stream.console);
