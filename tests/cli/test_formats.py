@@ -64,6 +64,12 @@ class Formats(RenderCase):
             start = theirs.index(chunk)
             self.assertIn(theirs[start - 4:start + 8], ours)
 
+    def test_headers_of_bmp(self):
+        for scene, options in (("linear.pov", ()), ("clear.pov", ("+UA",))):
+            self.compare(scene, "+FB", *options)
+            theirs, ours = ((self.folder / name).read_bytes() for name in ("theirs.bmp", "ours.bmp"))
+            self.assertEqual(ours[:54], theirs[:54])
+
     def test_dithering(self):
         for method in ("B2", "B3", "B4", "D1", "D2", "FS"):
             self.compare("linear.pov", "+FN", "+TH" + method)

@@ -32,7 +32,6 @@ ImageFileLayout layout_of(const Picture& picture, const PictureOutput& output,
       compression = "jpeg:" + std::to_string(quality);
       break;
     }
-    case PictureFileType::bmp: layout.format = "bmp"; break;
     case PictureFileType::exr: layout.format = "exr", compression = "zip", layout.half = true; break;
     case PictureFileType::hdr: layout.format = "hdr"; break;
     default: layout.format = "tif", compression = "zip"; break;
@@ -62,18 +61,14 @@ class RowFile {
   std::unique_ptr<ImageRowWriter> writer_;
 };
 
-// POV-Ray dithers in the order in which a file stores its rows.
-bool starts_at_bottom(PictureFileType type) { return type == PictureFileType::bmp; }
-
 // convert(y, pixels, row) fills a row of the file.
 template <typename Value, typename Convert>
 void write_rows(RowFile& file, const Picture& picture, const ImageFileLayout& layout,
-                bool from_bottom, Convert&& convert) {
+                Convert&& convert) {
   std::vector<PixelColor> pixels(static_cast<size_t>(layout.width));
   std::vector<Value> row(static_cast<size_t>(layout.width) *
                          static_cast<size_t>(layout.channels));
-  for (int i = 0; i < layout.height; ++i) {
-    const int y = from_bottom ? layout.height - 1 - i : i;
+  for (int y = 0; y < layout.height; ++y) {
     picture.read(y, 0, layout.width, pixels.data());
     convert(y, pixels.data(), row.data());
     file.write(y, row.data());
@@ -86,21 +81,20 @@ void encode_with_openimageio(std::FILE* target, const Picture& picture,
                              const PictureOutput& output) {
   std::string compression;
   const ImageFileLayout layout = layout_of(picture, output, compression);
-  const bool from_bottom = starts_at_bottom(output.type);
   RowFile file(target, layout);
   if (output.type == PictureFileType::exr) {
     const LinearRows rows(output.format, layout.width);
-    write_rows<float>(file, picture, layout, from_bottom,
+    write_rows<float>(file, picture, layout,
                       [&](int, const PixelColor* pixels, float* row) { rows.convert(pixels, row); });
   } else if (output.type == PictureFileType::hdr) {
     RgbeRows rows(output.format, layout.width);
-    write_rows<float>(file, picture, layout, from_bottom,
+    write_rows<float>(file, picture, layout,
                       [&](int y, const PixelColor* pixels, float* row) {
                         rows.quantize_row(y, pixels, row);
                       });
   } else if (layout.bits == 16) {
     Quantizer rows(output.format, layout.width);
-    write_rows<uint16_t>(file, picture, layout, from_bottom,
+    write_rows<uint16_t>(file, picture, layout,
                          [&](int y, const PixelColor* pixels, uint16_t* row) {
                            rows.quantize_row(y, pixels, row);
                          });
@@ -108,7 +102,7 @@ void encode_with_openimageio(std::FILE* target, const Picture& picture,
     Quantizer rows(output.format, layout.width);
     std::vector<uint16_t> codes(static_cast<size_t>(layout.width) *
                                 static_cast<size_t>(layout.channels));
-    write_rows<uint8_t>(file, picture, layout, from_bottom,
+    write_rows<uint8_t>(file, picture, layout,
                         [&](int y, const PixelColor* pixels, uint8_t* row) {
                           rows.quantize_row(y, pixels, codes.data());
                           std::copy(codes.begin(), codes.end(), row);

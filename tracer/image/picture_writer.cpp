@@ -47,6 +47,8 @@ void encode(std::FILE* file, const std::string& name, const Picture& picture,
       encode_png(file, picture, output);
     } else if (output.type == PictureFileType::ppm) {
       encode_pnm(file, picture, output);
+    } else if (output.type == PictureFileType::bmp) {
+      encode_bmp(file, picture, output);
     } else {
       encode_with_openimageio(file, picture, output);
     }
@@ -57,7 +59,8 @@ void encode(std::FILE* file, const std::string& name, const Picture& picture,
 
 void write_to_standard_output(const Picture& picture, const PictureOutput& output) {
   const std::string name = "standard output";
-  if (output.type == PictureFileType::png || output.type == PictureFileType::ppm) {
+  if (output.type == PictureFileType::png || output.type == PictureFileType::ppm ||
+      output.type == PictureFileType::bmp) {
     encode(stdout, name, picture, output);
   } else {
     // A pipe cannot seek.

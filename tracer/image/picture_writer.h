@@ -26,6 +26,7 @@ void write_picture_file(const std::string& path, const Picture& picture,
 // The encoders, for the above. They throw with a broken file behind them.
 void encode_png(std::FILE* file, const Picture& picture, const PictureOutput& output);
 void encode_pnm(std::FILE* file, const Picture& picture, const PictureOutput& output);
+void encode_bmp(std::FILE* file, const Picture& picture, const PictureOutput& output);
 // `file` must be open for reading, too, and able to seek.
 void encode_with_openimageio(std::FILE* file, const Picture& picture, const PictureOutput& output);
 
