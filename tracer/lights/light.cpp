@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tracer/math/power.h"
+
 namespace durer {
 namespace {
 
@@ -43,7 +45,7 @@ double Light::attenuation_of_shape(const Vec3& point, const LightDirection& to_l
     // Behind a parallel light as well (measured on povray 3.7).
     if (to_light.distance <= 0) cosine = -cosine;
     if (cosine <= 0) return 0;
-    result = node_.tightness == 0 ? 1.0 : std::pow(cosine, node_.tightness);
+    result = node_.tightness == 0 ? 1.0 : power(cosine, node_.tightness);
     if (cos_radius_ > 0 && cosine < cos_radius_) {
       result *= smooth_step(cos_falloff_, cos_radius_, cosine);
     }
@@ -55,13 +57,13 @@ double Light::attenuation_of_shape(const Vec3& point, const LightDirection& to_l
     const double radial = std::sqrt(std::max(0.0, dot(from_center, from_center) - along * along));
     if (radial >= node_.falloff) return 0;
     const double edge = 1 - radial / node_.falloff;
-    result = node_.tightness == 0 ? 1.0 : std::pow(edge, node_.tightness);
+    result = node_.tightness == 0 ? 1.0 : power(edge, node_.tightness);
     if (node_.radius > 0 && radial > node_.radius) {
       result *= smooth_step(0, 1 - node_.radius / node_.falloff, edge);
     }
   }
   if (node_.fade_power > 0 && std::abs(node_.fade_distance) > kEpsilon) {
-    result *= 2 / (1 + std::pow(to_light.distance / node_.fade_distance, node_.fade_power));
+    result *= 2 / (1 + power(to_light.distance / node_.fade_distance, node_.fade_power));
     // Behind a parallel light the distance is negative, and not every power of it exists.
     if (std::isnan(result)) return 0;
   }

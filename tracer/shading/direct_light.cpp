@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tracer/math/power.h"
+
 namespace durer {
 namespace {
 
@@ -41,7 +43,7 @@ RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& text
       const Vec3 normal =
           normalize_or_zero(layer_normal(layer, frames, point, context.normal, bent));
       const double cosine = std::abs(dot(normal, context.ray_direction));
-      product *= static_cast<float>(1 + std::pow(cosine, caustics));
+      product *= static_cast<float>(1 + power(cosine, caustics));
     }
   }
   return product;
@@ -58,7 +60,7 @@ RGB interior_fade(const InteriorNode& interior, double segment_length) {
             static_cast<float>(std::exp(-(1 - q.blue) * relative))};
   }
   const float share =
-      static_cast<float>(1 / (1 + std::pow(relative, static_cast<double>(interior.fade_power))));
+      static_cast<float>(1 / (1 + power(relative, static_cast<double>(interior.fade_power))));
   return q + (RGB(1.0f) - q) * share;
 }
 

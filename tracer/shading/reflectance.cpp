@@ -1,5 +1,6 @@
 #include "tracer/shading/reflectance.h"
 
+#include "tracer/math/power.h"
 #include "tracer/patterns/noise.h"
 
 namespace durer {
@@ -27,7 +28,7 @@ Reflectivity reflectivity(const FinishNode& finish, double cosine, double relati
     const double grazing =
         finish.reflection_falloff == 1
             ? 1 - cosine
-            : std::pow(1 - cosine, static_cast<double>(finish.reflection_falloff));
+            : power(1 - cosine, static_cast<double>(finish.reflection_falloff));
     if (std::abs(grazing) < kEpsilon) {
       result.color = low;
     } else if (std::abs(grazing - 1) < kEpsilon) {
