@@ -6,11 +6,23 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double kLeastExponent = -690;
 
+// Whether the square of a number's size is a number, too; orbits do not get elsewhere for long.
+bool is_usual(double size2) { return size2 > 1e-280 && size2 < 1e280; }
+
 Complex square_root(const Complex& z) {
-  return std::polar(std::sqrt(std::abs(z)), std::atan2(z.imag(), z.real()) / 2);
+  const double size2 = std::norm(z);
+  if (!is_usual(size2)) {
+    return std::polar(std::sqrt(std::abs(z)), std::atan2(z.imag(), z.real()) / 2);
+  }
+  const double larger = std::sqrt(0.5 * (std::sqrt(size2) + std::abs(z.real())));
+  const double smaller = 0.5 * std::abs(z.imag()) / larger;
+  const bool is_right = z.real() >= 0;
+  return {is_right ? larger : smaller, std::copysign(is_right ? smaller : larger, z.imag())};
 }
 Complex logarithm(const Complex& z) {
-  return {std::log(std::abs(z)), std::atan2(z.imag(), z.real())};
+  const double size2 = std::norm(z);
+  return {is_usual(size2) ? 0.5 * std::log(size2) : std::log(std::abs(z)),
+          std::atan2(z.imag(), z.real())};
 }
 Complex exponential(const Complex& z) {
   return z.real() < kLeastExponent ? Complex(0) : std::polar(std::exp(z.real()), z.imag());
@@ -19,26 +31,43 @@ Complex times_i(const Complex& z) {
   return {-z.imag(), z.real()};
 }
 
+// Both from one exponential; what is lost where sinh is small is lost in every sum with the orbit's
+// parameter.
+struct Hyperbolic {
+  explicit Hyperbolic(double x) {
+    const double grown = std::exp(std::abs(x)), shrunk = 1 / grown;
+    cosh = 0.5 * (grown + shrunk);
+    sinh = std::copysign(0.5 * (grown - shrunk), x);
+  }
+  double sinh, cosh;
+};
+
 // The library's functions of complex numbers look for infinities first, which no orbit reaches.
 Complex sine(const Complex& z) {
-  return {std::sin(z.real()) * std::cosh(z.imag()), std::cos(z.real()) * std::sinh(z.imag())};
+  const Hyperbolic y(z.imag());
+  return {std::sin(z.real()) * y.cosh, std::cos(z.real()) * y.sinh};
 }
 Complex cosine(const Complex& z) {
-  return {std::cos(z.real()) * std::cosh(z.imag()), -(std::sin(z.real()) * std::sinh(z.imag()))};
+  const Hyperbolic y(z.imag());
+  return {std::cos(z.real()) * y.cosh, -(std::sin(z.real()) * y.sinh)};
 }
 Complex hyperbolic_sine(const Complex& z) {
-  return {std::cos(z.imag()) * std::sinh(z.real()), std::sin(z.imag()) * std::cosh(z.real())};
+  const Hyperbolic x(z.real());
+  return {std::cos(z.imag()) * x.sinh, std::sin(z.imag()) * x.cosh};
 }
 Complex hyperbolic_cosine(const Complex& z) {
-  return {std::cos(z.imag()) * std::cosh(z.real()), std::sin(z.imag()) * std::sinh(z.real())};
+  const Hyperbolic x(z.real());
+  return {std::cos(z.imag()) * x.cosh, std::sin(z.imag()) * x.sinh};
 }
 Complex tangent(const Complex& z) {
-  const double x = 2 * z.real(), y = 2 * z.imag();
-  return Complex(std::sin(x), std::sinh(y)) / (std::cos(x) + std::cosh(y));
+  const double x = 2 * z.real();
+  const Hyperbolic y(2 * z.imag());
+  return Complex(std::sin(x), y.sinh) / (std::cos(x) + y.cosh);
 }
 Complex hyperbolic_tangent(const Complex& z) {
-  const double x = 2 * z.real(), y = 2 * z.imag();
-  return Complex(std::sinh(x), std::sin(y)) / (std::cosh(x) + std::cos(y));
+  const Hyperbolic x(2 * z.real());
+  const double y = 2 * z.imag();
+  return Complex(x.sinh, std::sin(y)) / (x.cosh + std::cos(y));
 }
 // By the schoolbook: the imaginary part of a quotient of real numbers is +0, on that side of the
 // logarithm's cut.
