@@ -88,7 +88,7 @@ bool Geometry::inside_unclipped(uint32_t index, const Vec3& point) const {
     case NodeKind::shape: {
       if (node.transform >= 0 && node.shape_kind == kMeshKind) [[unlikely]] {
         const Transform& placement = transforms[node.transform];
-        return node.shape->inside_moved(placement.inverse_point(point), placement) != node.inverted;
+        return node.shape->inside_moved(placement.inverse_point(point), placement, node.inverted);
       }
       const Vec3 local =
           node.transform < 0 ? point : transforms[node.transform].inverse_point(point);
@@ -446,7 +446,7 @@ void Geometry::enclose(uint32_t index) {
       const Vec3 margin = 2e-9 * (glm::abs(box.min) + glm::abs(box.max)) + Vec3(1e-9);
       node.reach = {box.min - margin, box.max + margin};
       node.surface_is_bounded = box.is_bounded();
-      node.contains_outside = node.inverted;
+      node.contains_outside = node.inverted && !node.shape->is_patch();
     }
     // A clipped solid contains nothing outside of its clips.
     if (node.clips.count) node.contains_outside = false;

@@ -92,8 +92,9 @@ class Mesh final : public Shape {
 
   bool inside(const Vec3& point) const override { return inside_along(point, inside_direction_); }
   // inside_vector stays as it is where the mesh is turned: meshes with holes show it.
-  bool inside_moved(const Vec3& point, const Transform& placement) const override {
-    return inside_along(point, placement.inverse_direction(inside_direction_));
+  bool inside_moved(const Vec3& point, const Transform& placement, bool inverted) const override {
+    const Vec3 direction = placement.inverse_direction(inside_direction_);
+    return is_solid_ && inside_along(point, direction) != inverted;
   }
 
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
@@ -127,6 +128,9 @@ class Mesh final : public Shape {
   }
 
   bool is_patch() const override { return !is_solid_; }
+  // Without inside_vector `inverse` turns the normals over and nothing else (measured on povray 3.7).
+  bool takes_inverse_mark() const override { return true; }
+  bool inside_inverted(const Vec3& point) const override { return is_solid_ && !inside(point); }
 
   const std::vector<TexturePtr>* own_textures() const override {
     return mesh_.textures.empty() ? nullptr : &mesh_.textures;

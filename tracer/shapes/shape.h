@@ -107,7 +107,9 @@ class Shape {
   // Solid test, without any inverse mark. Patches: always false.
   virtual bool inside(const Vec3& point) const = 0;
   // The same of a moved shape, for those that look from the point along a direction of the world.
-  virtual bool inside_moved(const Vec3& point, const Transform&) const { return inside(point); }
+  virtual bool inside_moved(const Vec3& point, const Transform&, bool inverted) const {
+    return inverted ? inside_inverted(point) : inside(point);
+  }
   // Whether all points outside bounds() are outside the solid, too.
   virtual bool is_solid_within_bounds() const { return true; }
   // The same test of the inverted solid; differs from the negation where borders are in neither.
