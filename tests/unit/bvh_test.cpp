@@ -79,6 +79,25 @@ TEST(Bvh, HoldsEachItemOnce) {
   }
 }
 
+TEST(Bvh, ItemsThatCannotBePartedAreAllMet) {
+  for (const double apart : {0.0, 1e-42, 1e-12, 1e-3}) {
+    std::vector<Bounds> boxes;
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 center(i % 2 ? apart : 0, 0, i % 3 ? apart : 0);
+      boxes.push_back({center - Vec3(1), center + Vec3(1)});
+    }
+    Bvh bvh;
+    bvh.build(boxes);
+    std::set<uint32_t> met;
+    bvh.visit_ray(BvhRay({0.2, 0.3, -5}, {0, 0, 1}), kFar,
+                  [&](uint32_t first, uint32_t count, double&) {
+                    for (uint32_t i = first; i < first + count; ++i) met.insert(bvh.items()[i]);
+                    return false;
+                  });
+    EXPECT_EQ(met.size(), boxes.size()) << apart;
+  }
+}
+
 TEST(Bvh, TheNearestIsFoundFromAnywhere) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(-1, 1);
