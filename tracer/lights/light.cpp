@@ -41,8 +41,9 @@ LightDirection Light::along_axis(const Vec3& point, const Vec3& center) const {
 double Light::attenuation_of_shape(const Vec3& point, const LightDirection& to_light) const {
   double result = 1;
   if (node_.kind == LightKind::spot) {
-    double cosine = node_.parallel ? 1.0 : -dot(to_light.direction, axis_);
-    // Behind a parallel light as well (measured on povray 3.7).
+    // 1 for parallel rays, but not for each sample of area_illumination (measured on povray 3.7).
+    double cosine = -dot(to_light.direction, axis_);
+    // Behind a parallel light as well.
     if (to_light.distance <= 0) cosine = -cosine;
     if (cosine <= 0) return 0;
     result = node_.tightness == 0 ? 1.0 : power(cosine, node_.tightness);
