@@ -216,6 +216,8 @@ int Parser::effective_version() const {
 
 const ParseOptions& Parser::options() const { return state_->options; }
 Scene& Parser::scene() { return state_->scene; }
+bool Parser::is_utf8() const { return state_->utf8; }
+
 void Parser::set_utf8(bool utf8) {
   state_->utf8 = utf8;
   state_->system_charset = false;

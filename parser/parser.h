@@ -173,6 +173,7 @@ class Parser {
   bool in_default_block = false;
   // `global_settings { charset utf8 }`.
   void set_utf8(bool utf8);
+  bool is_utf8() const;
   // `charset sys`: an error as soon as a string is read.
   void set_system_charset();
   // noise_generator or #version has changed.

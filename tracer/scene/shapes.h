@@ -115,6 +115,7 @@ struct BlobNode {
 struct TextNode {
   std::string font;  // path as found
   std::u16string text;
+  bool unicode = false;  // else the font's table of 8-bit characters is preferred
   double depth = 1;
   Vec3 offset{0};
 };

@@ -22,6 +22,7 @@ const char* internal_font_file(int number) {
 
 ShapeNode parse_text(Parser& parser) {
   TextNode node;
+  node.unicode = parser.is_utf8();
   if (parser.accept(Keyword::ttf)) {
     const std::string name = parser.parse_path_string();
     node.font = parser.find_file(name, FileType::font);
