@@ -11,15 +11,6 @@ namespace {
 // Composites with at least this many children get a hierarchy (performance.md 4).
 constexpr uint32_t kTreeThreshold = 24;
 
-// ShapeNode::index() of one kind of shape.
-template <typename Kind, typename... Kinds>
-constexpr uint8_t index_of(const std::variant<Kinds...>*) {
-  uint8_t index = 0;
-  (void)((std::is_same_v<Kind, Kinds> || (++index, false)) || ...);
-  return index;
-}
-constexpr uint8_t kMeshKind = index_of<Rare<MeshNode>>(static_cast<const ShapeNode*>(nullptr));
-
 // The next double up: lets a later child take over at equal depth.
 double just_beyond(double t) { return std::nextafter(t, HUGE_VAL); }
 
@@ -86,7 +77,7 @@ bool Geometry::inside_unclipped(uint32_t index, const Vec3& point) const {
   const GeometryNode& node = nodes[index];
   switch (node.kind) {
     case NodeKind::shape: {
-      if (node.transform >= 0 && node.shape_kind == kMeshKind) [[unlikely]] {
+      if (node.looks_along_world) [[unlikely]] {
         const Transform& placement = transforms[node.transform];
         return node.shape->inside_moved(placement.inverse_point(point), placement, node.inverted);
       }
@@ -404,6 +395,8 @@ void Geometry::finish_node(uint32_t index) {
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
   node.is_half_space = node.kind == NodeKind::shape && node.shape->is_half_space();
+  node.looks_along_world =
+      node.kind == NodeKind::shape && node.transform >= 0 && node.shape->looks_along_world();
   node.holds_outside = node.kind == NodeKind::shape && node.shape->is_outside_of_convex();
   std::vector<uint32_t> solids;
   SweepPlan plan;

@@ -34,6 +34,7 @@ struct GeometryNode {
   bool narrows = false;         // a convex solid: an intersection with it lies within its hits
   bool is_half_space = false;
   bool holds_outside = false;   // its shape's inside test is that of what is outside of a convex solid
+  bool looks_along_world = false;  // a moved shape whose inside test keeps a direction of the world
   bool is_flat = false;         // `swept` stands for one intersection of all
   bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()

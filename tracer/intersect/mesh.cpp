@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
+#include "tracer/intersect/box_walk.h"
 #include "tracer/intersect/bvh.h"
 #include "tracer/intersect/bvh_walk.h"
-#include "tracer/intersect/box_walk.h"
 #include "tracer/intersect/embree_mesh.h"
 #include "tracer/shapes/triangle.h"
 
@@ -90,11 +91,14 @@ class Mesh final : public Shape {
     return hit.t < ray.t_max && hit.t >= kLeastHitDepth;
   }
 
-  bool inside(const Vec3& point) const override { return inside_along(point, inside_direction_); }
+  bool inside(const Vec3& point) const override {
+    return is_solid_ && inside_along(point, inside_direction_);
+  }
   // inside_vector stays as it is where the mesh is turned: meshes with holes show it.
+  bool looks_along_world() const override { return is_solid_; }
   bool inside_moved(const Vec3& point, const Transform& placement, bool inverted) const override {
     const Vec3 direction = placement.inverse_direction(inside_direction_);
-    return is_solid_ && inside_along(point, direction) != inverted;
+    return inside_along(point, direction) != inverted;
   }
 
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
@@ -161,7 +165,6 @@ class Mesh final : public Shape {
  private:
   // Whether a ray meets an odd number of triangles.
   bool inside_along(const Vec3& point, const Vec3& direction) const {
-    if (!is_solid_) return false;
     const LocalRay local(ShapeRay{point, direction, false, true, kHugeDepth});
     int count = 0;
     for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
@@ -289,7 +292,7 @@ class Mesh final : public Shape {
   const MeshNode& mesh_;
   Bvh bvh_;
   std::unique_ptr<EmbreeMesh> embree_;
-  // POV-Ray's, made when a CSG first asks for it.
+  // POV-Ray's, made when a CSG first asks for all hits: most members of unions are never asked.
   mutable std::once_flag hierarchy_made_;
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
   Bounds bounds_;

@@ -106,7 +106,9 @@ class Shape {
   virtual void hits(const ShapeRay& ray, HitStack& out) const = 0;
   // Solid test, without any inverse mark. Patches: always false.
   virtual bool inside(const Vec3& point) const = 0;
-  // The same of a moved shape, for those that look from the point along a direction of the world.
+  // Whether the test looks from the point along a direction that stays the world's where the shape is
+  // moved; then inside_moved() is asked, with or without the mark.
+  virtual bool looks_along_world() const { return false; }
   virtual bool inside_moved(const Vec3& point, const Transform&, bool inverted) const {
     return inverted ? inside_inverted(point) : inside(point);
   }
