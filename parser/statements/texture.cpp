@@ -1,5 +1,6 @@
 // texture{}: plain, layered, patterned, tiles, material_map (spec/textures.md 15).
 #include "parser/parser.h"
+#include "parser/statements/loose_texture_items.h"
 #include "parser/statements/map_entries.h"
 #include "parser/statements/objects.h"
 #include "parser/statements/pattern.h"
@@ -77,8 +78,21 @@ class TextureReader {
       return texture_;
     }
     bool any = read_bare_identifiers();
+    if (parser_.language_version() < 300) return read_with_loose_items(any || named);
     while (accept_part() || accept_transform()) any = true;
     if (!any && !named) read_patterned();
+    return texture_;
+  }
+
+  // Before language 3.0 there were no texture_maps yet, and words of all parts could stand here.
+  TexturePtr read_with_loose_items(bool any) {
+    LooseTextureItems loose(parser_);
+    while (accept_part() || accept_transform() || loose.accept(texture_)) any = true;
+    if (!any && parser_.at_any({Keyword::tiles, Keyword::material_map})) {
+      read_patterned();
+    } else {
+      loose.finish(*texture_);
+    }
     return texture_;
   }
 
