@@ -93,10 +93,10 @@ std::string frame_json(const FrameStatistics& frame) {
   bool first = true;
   for (size_t i = 0; i < frame.render.shapes.size(); ++i) {
     const ShapeTests& shape = frame.render.shapes[i];
-    if (shape.tests == 0) continue;
+    if (shape.tests() == 0) continue;
     out += std::string(first ? "" : ", ") + "\"" + kShapeNames[i] +
-           "\": {\"tests\": " + std::to_string(shape.tests) +
-           ", \"hits\": " + std::to_string(shape.hits) + "}";
+           "\": {\"tests\": " + std::to_string(shape.tests()) +
+           ", \"hits\": " + std::to_string(shape.hits()) + "}";
     first = false;
   }
   return out + "}}";
@@ -146,16 +146,16 @@ std::string statistics_text(const FrameStatistics& frame) {
   // Tests of shapes, the most frequent first.
   std::vector<size_t> kinds;
   for (size_t i = 0; i < frame.render.shapes.size(); ++i) {
-    if (frame.render.shapes[i].tests > 0) kinds.push_back(i);
+    if (frame.render.shapes[i].tests() > 0) kinds.push_back(i);
   }
   std::stable_sort(kinds.begin(), kinds.end(), [&](size_t a, size_t b) {
-    return frame.render.shapes[a].tests > frame.render.shapes[b].tests;
+    return frame.render.shapes[a].tests() > frame.render.shapes[b].tests();
   });
   const char* separator = "\ntests: ";
   for (const size_t kind : kinds) {
     const ShapeTests& shape = frame.render.shapes[kind];
-    text += separator + std::string(kShapeNames[kind]) + " " + grouped(shape.tests) + " (" +
-            std::to_string(shape.hits * 100 / shape.tests) + " % hit)";
+    text += separator + std::string(kShapeNames[kind]) + " " + grouped(shape.tests()) + " (" +
+            std::to_string(shape.hits() * 100 / shape.tests()) + " % hit)";
     separator = ", ";
   }
   return text + "\npeak memory " + std::to_string(process_peak_kilobytes() / 1024) + " MB";

@@ -3,6 +3,7 @@
 // outward; what lies in them is tested by the caller in double, so nothing here decides a hit.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -11,6 +12,7 @@
 #include "tracer/math/bounds.h"
 #include "tracer/math/min_max.h"
 #include "tracer/math/ray.h"
+#include "tracer/shapes/shape_ray.h"
 
 namespace durer {
 
@@ -24,11 +26,12 @@ struct alignas(64) BvhNode {
   uint32_t used;  // bit i: slot i holds a box
 };
 
-// A ray with what its walks share.
-struct BvhRay {
-  BvhRay(const Vec3& from, const Vec3& along)
-      : origin(from), direction(along), inverse(1.0 / along) {
-    for (int axis = 0; axis < 3; ++axis) is_down[axis] = inverse[axis] < 0;
+// A ray with what its walks share. Shapes that are not moved take it as it is.
+struct BvhRay : ShapeRay {
+  BvhRay(const Vec3& from, const Vec3& along) : ShapeRay{from, along}, inverse(1.0 / along) {
+    for (int axis = 0; axis < 3; ++axis) {
+      is_down[axis] = static_cast<uint32_t>(std::bit_cast<uint64_t>(inverse[axis]) >> 63);
+    }
   }
 
   // Narrows the interval [low, high] to the ray's way through a box, perhaps to an empty one.
@@ -45,8 +48,6 @@ struct BvhRay {
     }
   }
 
-  Vec3 origin;
-  Vec3 direction;
   Vec3 inverse;         // 1/direction, infinite where a component is 0
   uint32_t is_down[3];  // 1 where the ray goes down an axis
 };

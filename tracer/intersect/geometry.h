@@ -72,12 +72,13 @@ struct SweepPlan {
 };
 
 struct GeometryRay : BvhRay {
-  // Parameters are world distances; `unit`: the direction is of length 1 (not inside instances).
+  // Parameters are world distances; directions are of length 1, but not inside instances.
   GeometryRay(const Vec3& from, const Vec3& along, uint8_t ray_kind, bool is_unit = true)
-      : BvhRay(from, along), kind(ray_kind), unit(is_unit) {}
+      : BvhRay(from, along), kind(ray_kind) {
+    unit_direction = is_unit;
+  }
 
   uint8_t kind;  // RayKind bits
-  bool unit;
 };
 
 // Fills in origin and direction as they are before the transform.
@@ -92,7 +93,7 @@ void move_ray(const Transform& transform, const BvhRay& ray, ShapeRay& local);
   } else {
     local.origin = ray.origin;
     local.direction = ray.direction;
-    local.unit_direction = ray.unit;
+    local.unit_direction = ray.unit_direction;
   }
   return local;
 }

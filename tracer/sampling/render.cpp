@@ -41,8 +41,7 @@ void blacken_nan(Framebuffer& framebuffer) {
 
 void add(ShapeTestCounts& sum, const ShapeTestCounts& part) {
   for (size_t i = 0; i < sum.size(); ++i) {
-    sum[i].tests += part[i].tests;
-    sum[i].hits += part[i].hits;
+    for (int met = 0; met < 2; ++met) sum[i].by_outcome[met] += part[i].by_outcome[met];
   }
 }
 

@@ -9,25 +9,10 @@
 #include <vector>
 
 #include "tracer/scene/shapes.h"
+#include "tracer/shapes/shape_ray.h"
 #include "tracer/shapes/shape_tests.h"
 
 namespace durer {
-
-// spec/geometry.md 1
-inline constexpr double kGeometryEpsilon = 1e-10;
-inline constexpr double kLeastHitDepth = 1e-4;   // of an accepted nearest hit, world distance
-inline constexpr double kGreatestDepth = 1e7;    // of most shapes
-inline constexpr double kHugeDepth = 2e10;       // where searches start
-
-// A ray in a shape's space. Parameters are world distances: the direction is not renormalised.
-struct ShapeRay {
-  Vec3 origin;
-  Vec3 direction;
-  bool unit_direction = false;  // known to be of length 1
-  bool csg_child = false;       // all hits are needed; otherwise a shape may stop at its first
-  double t_max = kHugeDepth;    // hits from here on are of no interest (a hint)
-  bool is_clipped = false;      // any hit may be clipped away
-};
 
 struct ShapeHit {
   double t;       // world distance
@@ -64,8 +49,7 @@ class HitStack {
   }
 
   void count_test(uint8_t shape_kind, bool hit) {
-    ++shape_tests[shape_kind].tests;
-    shape_tests[shape_kind].hits += hit;
+    ++shape_tests[shape_kind].by_outcome[hit];
   }
 
  private:

@@ -9,7 +9,10 @@
 namespace durer {
 
 struct ShapeTests {
-  uint64_t tests = 0, hits = 0;
+  uint64_t by_outcome[2] = {};  // missed, met
+
+  uint64_t tests() const { return by_outcome[0] + by_outcome[1]; }
+  uint64_t hits() const { return by_outcome[1]; }
 };
 // By ShapeNode::index(). A mesh counts as one shape.
 using ShapeTestCounts = std::array<ShapeTests, std::variant_size_v<ShapeNode>>;

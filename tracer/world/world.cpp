@@ -17,14 +17,10 @@ namespace {
 constexpr double kLeastShadowDepth = 1e-3;
 
 uint8_t kind_bits(const RayClass& kind) {
-  uint8_t bits = 0;
-  if (kind.shadow) bits |= kShadowRay;
-  if (kind.photon) bits |= kPhotonRay;
-  if (kind.radiosity) bits |= kRadiosityRay;
-  if (kind.reflected) bits |= kReflectionRay;
-  if (bits == 0) bits = kImageRay;
-  if (kind.primary) bits |= kPrimaryRay;
-  return bits;
+  int bits = kind.reflected * kReflectionRay | kind.shadow * kShadowRay | kind.photon * kPhotonRay |
+             kind.radiosity * kRadiosityRay;
+  bits |= (bits == 0) * kImageRay;
+  return static_cast<uint8_t>(bits | kind.primary * kPrimaryRay);
 }
 
 // The next greater double of a positive one.
@@ -41,30 +37,23 @@ HitStack& scratch() {
 // The nearest hit among the objects of one list.
 struct ClosestSearch {
   ClosestSearch(const WorldData& world, const ObjectSet& objects, const SearchList& wanted,
-                const GeometryRay& along, HitStack& scratch, double t_max)
-      : data(world),
-        set(objects),
-        list(wanted),
-        ray(along),
-        stack(scratch),
-        best(t_max),
-        limit(t_max),
-        straight(shape_ray(along, nullptr)) {}
+                GeometryRay& along, HitStack& scratch, double t_max)
+      : data(world), set(objects), list(wanted), ray(along), stack(scratch), best(t_max) {
+    ray.t_max = t_max;
+  }
 
   const WorldData& data;
   const ObjectSet& set;
   const SearchList& list;
-  const GeometryRay& ray;
+  GeometryRay& ray;  // hits must be nearer than its t_max
   HitStack& stack;
   double best;
-  double limit;  // hits must be nearer than this
   // The nearest so far, where top is not negative, and room for the next: copies of what was just
   // written by components would wait for them.
   ShapeHit hits[2];
   int nearest = 0;
   int64_t top = -1;
   uint32_t instance = 0;
-  ShapeRay straight;  // for shapes without a transform
 
   void run(const BvhBeam* beam = nullptr) {
     for (const SearchItem& item : list.infinite) test(item);
@@ -101,7 +90,7 @@ struct ClosestSearch {
     nearest = 1 - nearest;
     best = candidate.t;
     // At equal depths the object that is tested first counts.
-    limit = just_beyond(best);
+    ray.t_max = just_beyond(best);
     top = item.object;
     instance = copy;
   }
@@ -111,11 +100,10 @@ struct ClosestSearch {
   bool meets_shape(const SearchItem& item, ShapeHit& candidate) {
     bool met;
     if (item.transform < 0) {
-      straight.t_max = limit;
-      met = item.shape->closest(straight, stack, candidate);
+      met = item.shape->closest(ray, stack, candidate);
     } else {
       ShapeRay local = shape_ray(ray, &data.geometry.transforms[item.transform]);
-      local.t_max = limit;
+      local.t_max = ray.t_max;
       met = item.shape->closest(local, stack, candidate);
     }
     stack.count_test(item.shape_kind, met);
@@ -129,8 +117,8 @@ struct ClosestSearch {
       const ObjectSet& inner_set = data.groups[instanced.group]->set;
       const SearchList& inner_list =
           &list == set.clear.get() ? inner_set.clear_casters() : inner_set.all;
-      const GeometryRay inner_ray = local_ray(instanced, ray);
-      ClosestSearch inner(data, inner_set, inner_list, inner_ray, stack, limit);
+      GeometryRay inner_ray = local_ray(instanced, ray);
+      ClosestSearch inner(data, inner_set, inner_list, inner_ray, stack, ray.t_max);
       inner.run();
       if (inner.top < 0) return false;
       candidate = inner.hit();
@@ -140,25 +128,22 @@ struct ClosestSearch {
     if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return false;
     const GeometryNode& node = data.geometry.nodes[object.node];
     if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
-    return data.geometry.closest(object.node, ray, limit, stack, candidate);
+    return data.geometry.closest(object.node, ray, ray.t_max, stack, candidate);
   }
 };
 
-// Whether any opaque object lies on a shadow ray's way.
+// Whether any opaque object lies on a shadow ray's way, before its t_max.
 struct OcclusionSearch {
   const WorldData& data;
   const ObjectSet& set;
   const GeometryRay& ray;
   HitStack& stack;
-  double max_t;
-  ShapeRay straight = shape_ray(ray, nullptr);
   bool blocked = false;
   uint32_t blocker = HitStack::kNoOccluder;  // position in the list's finite ones
 
   // The object that stopped the ray before is asked first.
   bool run_with_hint(uint32_t& last) {
     const SearchList& list = set.opaque_casters();
-    straight.t_max = max_t;
     if (last < list.finite.size() && blocks(list.finite[last])) return true;
     run();
     last = blocker;
@@ -167,7 +152,6 @@ struct OcclusionSearch {
 
   bool run() {
     const SearchList& list = set.opaque_casters();
-    straight.t_max = max_t;
     for (const SearchItem& item : list.infinite) {
       if (blocks(item)) return blocked = true;
     }
@@ -179,7 +163,7 @@ struct OcclusionSearch {
       }
       return false;
     }
-    list.bvh.visit_ray<true>(ray, max_t, [this, &list](uint32_t first, uint32_t count, double&) {
+    list.bvh.visit_ray<true>(ray, ray.t_max, [this, &list](uint32_t first, uint32_t count, double&) {
       for (uint32_t i = first; i < first + count; ++i) {
         if (!blocks(list.finite[i])) continue;
         blocker = i;
@@ -190,44 +174,52 @@ struct OcclusionSearch {
     return blocked;
   }
 
-  bool blocks(const SearchItem& item) {
-    const TopLevelObject& object = set.objects[item.object];
+  // Most items are lone shapes, and most of them are missed.
+  [[gnu::always_inline]] bool blocks(const SearchItem& item) {
+    if (!item.shape) [[unlikely]] return other_blocks(item);
     ShapeHit hit;
-    if (item.shape) {
-      const bool met =
-          item.transform < 0
-              ? item.shape->closest(straight, stack, hit)
-              : closest_moved(*item.shape, data.geometry.transforms[item.transform], hit);
-      stack.count_test(item.shape_kind, met);
-      if (!met) return false;
-    } else if (object.instance >= 0) {
+    const bool met = item.transform < 0
+                         ? item.shape->closest(ray, stack, hit)
+                         : closest_moved(*item.shape, data.geometry.transforms[item.transform], hit);
+    stack.count_test(item.shape_kind, met);
+    return met && (hit.t > kLeastShadowDepth || a_later_hit_blocks(item));
+  }
+
+  [[gnu::noinline]] bool other_blocks(const SearchItem& item) {
+    const TopLevelObject& object = set.objects[item.object];
+    if (object.instance >= 0) {
       const Instance& copy = data.instances[object.instance];
-      const GeometryRay inner_ray = local_ray(copy, ray);
-      return OcclusionSearch{data, data.groups[copy.group]->set, inner_ray, stack, max_t}.run();
-    } else {
-      const GeometryNode& node = data.geometry.nodes[item.node];
-      if (object.is_cut_off && item.node == object.node && !casts_whole_shadow(object, node) &&
-          !object.box.is_met(ray.origin, ray.direction)) {
-        return false;
-      }
-      if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
-      if (!data.geometry.closest(item.node, ray, max_t, stack, hit)) return false;
+      GeometryRay inner_ray = local_ray(copy, ray);
+      inner_ray.t_max = ray.t_max;
+      return OcclusionSearch{data, data.groups[copy.group]->set, inner_ray, stack}.run();
     }
-    if (hit.t > kLeastShadowDepth) return true;
-    // The nearest one is too near to count: look at all.
+    const GeometryNode& node = data.geometry.nodes[item.node];
+    if (object.is_cut_off && item.node == object.node && !casts_whole_shadow(object, node) &&
+        !object.box.is_met(ray.origin, ray.direction)) {
+      return false;
+    }
+    if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
+    ShapeHit hit;
+    if (!data.geometry.closest(item.node, ray, ray.t_max, stack, hit)) return false;
+    return hit.t > kLeastShadowDepth || a_later_hit_blocks(item);
+  }
+
+  // Where the nearest hit is too near to count.
+  [[gnu::noinline]] bool a_later_hit_blocks(const SearchItem& item) {
     const size_t base = stack.size();
-    data.geometry.all_hits(item.node, ray, {0, max_t}, stack);
+    data.geometry.all_hits(item.node, ray, {0, ray.t_max}, stack);
     bool found = false;
     for (size_t i = base; i < stack.size(); ++i) {
-      found |= stack[i].t > kLeastShadowDepth && stack[i].t < max_t;
+      found |= stack[i].t > kLeastShadowDepth && stack[i].t < ray.t_max;
     }
     stack.shrink(base);
     return found;
   }
 
-  bool closest_moved(const Shape& shape, const Transform& transform, ShapeHit& hit) {
+  [[gnu::noinline]] bool closest_moved(const Shape& shape, const Transform& transform,
+                                       ShapeHit& hit) {
     ShapeRay local = shape_ray(ray, &transform);
-    local.t_max = max_t;
+    local.t_max = ray.t_max;
     return shape.closest(local, stack, hit);
   }
 };
@@ -296,7 +288,7 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
 bool World::closest_hit(const Vec3& origin, const Vec3& unit_direction, const RayClass& kind,
                         double max_t, Hit& hit, const BvhBeam* beam) const {
   const WorldData& data = impl_->data;
-  const GeometryRay ray(origin, unit_direction, kind_bits(kind));
+  GeometryRay ray(origin, unit_direction, kind_bits(kind));
   const ObjectSet& set = data.scene;
   ClosestSearch search(data, set, set.all, ray, scratch(), max_t);
   search.run(beam);
@@ -316,7 +308,7 @@ bool World::closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, do
                               Hit& hit) const {
   const WorldData& data = impl_->data;
   const ObjectSet& set = data.scene;
-  const GeometryRay ray(origin, unit_direction, kShadowRay);
+  GeometryRay ray(origin, unit_direction, kShadowRay);
   ClosestSearch search(data, set, set.clear_casters(), ray, scratch(), max_t);
   search.run();
   return found(search, hit);
@@ -412,10 +404,11 @@ void World::Impl::add_shares(uint32_t index, const Vec3& point, SurfacePoint& ou
 bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
                                int light) const {
   const WorldData& data = impl_->data;
-  const GeometryRay ray(origin, unit_direction, kShadowRay);
+  GeometryRay ray(origin, unit_direction, kShadowRay);
+  ray.t_max = max_t;
   HitStack& stack = scratch();
   uint32_t& last = stack.last_occluder[static_cast<size_t>(light) % stack.last_occluder.size()];
-  return OcclusionSearch{data, data.scene, ray, stack, max_t}.run_with_hint(last);
+  return OcclusionSearch{data, data.scene, ray, stack}.run_with_hint(last);
 }
 
 bool World::has_remembered_casters() const {
