@@ -49,7 +49,7 @@ std::shared_ptr<const InteriorNode> parse_interior(
 namespace {
 
 void put_on_top(Parser& parser, TexturePtr& texture, const TexturePtr& top) {
-  if (top) texture = texture ? layer_texture(parser, texture, top) : top;
+  if (top) texture = layer_texture(parser, texture, top);
 }
 
 }  // namespace

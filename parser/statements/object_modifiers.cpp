@@ -142,7 +142,7 @@ bool ObjectBuilder::accept_texture_item(Keyword keyword) {
       parser_.next();
       const TexturePtr top = parse_texture(parser_);
       const TexturePtr below = resolve_textures(*node_).texture;
-      set_texture(below ? layer_texture(parser_, below, top) : top);
+      set_texture(layer_texture(parser_, below, top));
       return true;
     }
     case Keyword::pigment:
@@ -156,7 +156,7 @@ bool ObjectBuilder::accept_texture_item(Keyword keyword) {
       parser_.next();
       const TexturePtr top = parse_texture(parser_);
       const TexturePtr below = resolve_textures(*node_).interior_texture;
-      add(SetInteriorTexture{below ? layer_texture(parser_, below, top) : top});
+      add(SetInteriorTexture{layer_texture(parser_, below, top)});
       interior_texture_given_ = true;
       return true;
     }

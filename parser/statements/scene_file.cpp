@@ -100,7 +100,7 @@ void parse_scene_statements(Parser& parser) {
 Value parse_rvalue_block(Parser& parser) {
   if (ObjectPtr object = parse_object(parser)) return block(ValueKind::object, object);
   if (parser.accept(Keyword::texture)) {
-    TexturePtr texture = parse_texture(parser);
+    TexturePtr texture = layer_texture(parser, nullptr, parse_texture(parser));
     // Several in a row are layers.
     while (parser.accept_before_directives(Keyword::texture)) {
       texture = layer_texture(parser, texture, parse_texture(parser));

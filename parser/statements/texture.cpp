@@ -238,7 +238,7 @@ class TextureReader {
   }
 
   TexturePtr parse_layers() {
-    TexturePtr texture = parse_texture(parser_);
+    TexturePtr texture = layer_texture(parser_, nullptr, parse_texture(parser_));
     while (parser_.accept(Keyword::texture)) {
       texture = layer_texture(parser_, texture, parse_texture(parser_));
     }
@@ -272,16 +272,18 @@ TexturePtr default_texture(Parser& parser) {
 }
 
 TexturePtr layer_texture(Parser& parser, const TexturePtr& below, const TexturePtr& top) {
-  if (below->kind != TextureNode::Kind::plain) {
+  const bool converts_filter = parser.effective_version() <= 310;
+  if (!below && !(converts_filter && top->below)) return top;
+  if (below && below->kind != TextureNode::Kind::plain) {
     parser.error("nothing can be layered over a patterned texture");
   }
-  if (top->kind != TextureNode::Kind::plain) {
+  if (below && top->kind != TextureNode::Kind::plain) {
     parser.error("a patterned texture cannot be layered over another");
   }
   // The top may be a stack of its own: its bottom comes to lie on `below`.
   auto copy = std::make_shared<TextureNode>(*top);
   copy->below = top->below ? layer_texture(parser, below, top->below) : below;
-  if (parser.effective_version() <= 310) {
+  if (converts_filter) {
     copy->pigment = with_filter_as_transmit(copy->pigment);
   }
   parser.check_nesting(TexturePtr(copy));

@@ -45,8 +45,7 @@ void parse_component_modifiers(Parser& parser, BlobComponent& component, const c
       component.texture = transformed(component.texture, transform);
     } else if (parser.accept(Keyword::texture)) {
       const TexturePtr top = parse_texture(parser);
-      component.texture =
-          component.texture ? layer_texture(parser, component.texture, top) : top;
+      component.texture = layer_texture(parser, component.texture, top);
     } else if (parser.at_any({Keyword::pigment, Keyword::normal, Keyword::finish})) {
       const Keyword part = parser.next().keyword;
       component.texture = parse_texture_part(
