@@ -88,8 +88,9 @@ bool Geometry::gather_convex_solids(uint32_t index, int32_t parent, std::vector<
   const GeometryNode& node = nodes[index];
   if (node.clips.count) return false;
   if (node.kind == NodeKind::shape) {
-    if (solids.size() == kMostSweptSolids || !node.shape->can_be_swept(node.inverted)) return false;
-    plan.parts[parent].solids |= 1u << solids.size();
+    const size_t number = solids.size();
+    if (number == kMostIntersectedSolids || !node.shape->can_be_swept(node.inverted)) return false;
+    if (number < kMostSweptSolids) plan.parts[parent].solids |= 1u << number;
     plan.part_of.push_back(parent);
     solids.push_back(index);
     return true;

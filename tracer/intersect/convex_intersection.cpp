@@ -34,7 +34,7 @@ Geometry::Sweep Geometry::sweep_convex_intersection(const GeometryNode& node,
                                                     const GeometryRay& ray, double t_max,
                                                     HitStack& stack, ShapeHit& hit) const {
   Span way{Border::of_ray(kSweepStart), Border::of_ray(t_max)};
-  Span cut[kMostSweptSolids];  // not set beyond their count: clearing costs as much as a solid
+  Span cut[kMostCuts];  // not set beyond their count: clearing costs as much as a solid
   int cuts = 0;
 
   for (uint32_t i = 0; i < node.swept.count; ++i) {
@@ -81,6 +81,7 @@ Geometry::Sweep Geometry::sweep_convex_intersection(const GeometryNode& node,
       if (span.enter.t < way.enter.t - doubt && span.leave.t > way.leave.t + doubt) {
         return Sweep::missed;
       }
+      if (cuts == kMostCuts) return Sweep::doubtful;
       cut[cuts++] = span;
       continue;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracer/intersect/bvh_walk.h"
+#include "tracer/intersect/convex_sweep.h"
 
 namespace durer {
 namespace {
@@ -400,12 +401,16 @@ void Geometry::finish_node(uint32_t index) {
   node.holds_outside = node.kind == NodeKind::shape && node.shape->is_outside_of_convex();
   std::vector<uint32_t> solids;
   SweepPlan plan;
-  if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&
-      gather_convex_solids(index, -1, solids, plan)) {
-    node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
-    node.is_flat = std::all_of(plan.parts.begin(), plan.parts.end(), [](const SweptPart& part) {
+  const auto is_flat = [&] {
+    return std::all_of(plan.parts.begin(), plan.parts.end(), [](const SweptPart& part) {
       return part.kind == NodeKind::intersection;
     });
+  };
+  if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&
+      gather_convex_solids(index, -1, solids, plan) &&
+      (solids.size() <= kMostSweptSolids || is_flat())) {
+    node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
+    node.is_flat = is_flat();
     // What is cut out comes last: most rays miss what it is cut out of.
     if (node.is_flat) {
       std::stable_partition(solids.begin(), solids.end(),

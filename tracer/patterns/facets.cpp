@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "tracer/math/power.h"
+#include "tracer/patterns/crackle_features.h"
 #include "tracer/patterns/noise.h"
 #include "tracer/patterns/pattern_factories.h"
 
@@ -27,15 +28,25 @@ double measure(const Vec3& d, double metric) {
          power(std::abs(d.z), metric);
 }
 
-// The nearest of the feature points in the 81 cells around t.
+// The nearest of the feature points in the 81 cells around t: those of `crackle`.
 Vec3 nearest_feature(const Vec3& t, double metric) {
+  const Vec3 middle = glm::floor(t - Vec3(kEpsilon));
+  if (metric == 2) {
+    const AdjacentFeatures& adjacent = features_around(middle);
+    double squares[3];
+    find_nearest(adjacent, t, squares);
+    // The other cells lie a whole unit away.
+    if (squares[0] <= 1 - 1e-9) return feature_at(adjacent, t, squares[0]);
+  }
   Vec3 nearest(0);
   double least = 1e300;
   for (int dx = -2; dx <= 2; ++dx) {
     for (int dy = -2; dy <= 2; ++dy) {
       for (int dz = -2; dz <= 2; ++dz) {
         if ((std::abs(dx) == 2) + (std::abs(dy) == 2) + (std::abs(dz) == 2) > 1) continue;
-        const Vec3 cell = glm::floor(t + Vec3(dx, dy, dz) - Vec3(kEpsilon));
+        const Vec3 cell = middle + Vec3(dx, dy, dz);
+        // Its points lie up to a unit beyond this corner.
+        if (metric == 1 && measure(cell - t, 1) >= least + 1e-9) continue;
         const Vec3 feature = cell + random_vector_of_cell(cell);
         const double distance = measure(feature - t, metric);
         if (distance < least) {
