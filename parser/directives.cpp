@@ -286,6 +286,7 @@ void Parser::State::do_include() {
 }
 
 void Parser::State::do_version() {
+  const bool is_first_token = consumed == 0;
   const FlagScope off(directives_live, false);
   // `unofficial` is no reserved word.
   if (peek().kind == TokenKind::identifier && names.text(look.token.name) == "unofficial") consume();
@@ -294,7 +295,7 @@ void Parser::State::do_version() {
   if (!(hundredths <= 370)) {
     error("this scene is written for a later version of the language, and this program reads that of 3.7");
   }
-  if (!version_seen && tokens_before_version == 0) version_first = consumed <= 6;
+  if (!version_seen) version_first = is_first_token;
   language_version = static_cast<int>(hundredths);
   version_seen = true;
   follow_noise_generator();

@@ -340,7 +340,6 @@ struct Parser::State {
   int language_version = 370;
   bool version_seen = false;
   bool version_first = false;
-  uint64_t tokens_before_version = 0;
   bool utf8 = false;
   bool system_charset = false;  // POV-Ray on Unix stops at the first string then
   bool gamma_known = false;

@@ -30,8 +30,9 @@ class ParserMessages : public ::testing::Test, public MessageSink {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
   // The error that the text leads to, without the folder; empty: none.
-  std::string error_of(const std::string& text) {
-    write("scene.pov", "#version 3.7;\n" + text);
+  std::string error_of(const std::string& text) { return error_of_scene("#version 3.7;\n" + text); }
+  std::string error_of_scene(const std::string& text) {
+    write("scene.pov", text);
     options_.input_file = (folder_ / "scene.pov").string();
     options_.library_paths = {folder_.string()};
     options_.sink = this;
@@ -108,6 +109,18 @@ TEST_F(ParserMessages, LaterSyntaxIsNamed) {
     EXPECT_NE(error_of(text).find("POV-Ray 3.8"), std::string::npos) << text;
   }
   EXPECT_NE(error_of("#version 3.8;\n").find("later version"), std::string::npos);
+}
+
+TEST_F(ParserMessages, AVersionThatIsNotTheFirstTokenIsNamed) {
+  auto warned = [&](const std::string& text) {
+    warnings_.clear();
+    EXPECT_EQ(error_of_scene(text + "global_settings { assumed_gamma 1 }\n"), "");
+    return warnings_.find("before its first #version") != std::string::npos;
+  };
+  EXPECT_FALSE(warned("// a comment\n# version 3.7;\n#declare A = version;\n#version A;\n"));
+  EXPECT_TRUE(warned("#local A = version;\n#version 3.7;\n"));
+  EXPECT_TRUE(warned("#debug \"\"\n#version 3.7;\n"));
+  EXPECT_TRUE(warned("#if (1) #version 3.7; #end\n"));
 }
 
 TEST_F(ParserMessages, FilesAreFoundInSpiteOfCaseAndBackslashes) {
