@@ -17,11 +17,7 @@ class NormalReader {
       while (parser_.accept(Keyword::uv_mapping)) {
         // Once more changes nothing.
       }
-      auto inner = std::make_shared<NormalNode>(node_);
-      NormalReader(parser_, *inner).read();
-      node_ = NormalNode{};
-      node_.pattern.edit().kind = PatternKind::uv_mapping;
-      node_.inner = std::move(inner);
+      read_uv();
       return;
     }
     read_start();
@@ -34,6 +30,27 @@ class NormalReader {
   }
 
  private:
+  // What follows belongs to an inner normal at (u, v, 0), up to an amount behind its modifiers: that one
+  // and all modifiers after it belong to the normal around it. Of these only no_bump_scale has an effect
+  // (measured on povray 3.7).
+  void read_uv() {
+    auto inner = std::make_shared<NormalNode>(node_);
+    NormalReader(parser_, *inner).read();
+    node_ = NormalNode{};
+    node_.pattern.edit().kind = PatternKind::uv_mapping;
+    read_amount();
+    while (accept_item() || accept_pattern_modifier(parser_, node_.pattern.edit())) {
+    }
+    if (node_.normal_map || node_.slope_map) {
+      parser_.error("a map belongs before the amount of a uv_mapping normal");
+    }
+    const bool no_bump_scale = node_.no_bump_scale;
+    node_ = NormalNode{};
+    node_.pattern.edit().kind = PatternKind::uv_mapping;
+    node_.no_bump_scale = no_bump_scale;
+    node_.inner = std::move(inner);
+  }
+
   void read_amount() {
     parser_.accept_comma();
     if (parser_.at_expression()) node_.bump_size = static_cast<float>(parser_.parse_float());
