@@ -72,16 +72,16 @@ TEST(Polynomials, SturmFindsThePositiveRoots) {
   EXPECT_GT(total, 10000);
 }
 
-// Halving the way from 0 to 1e7 fifty times leaves 1e7/2^51 to either side.
+// The fiftieth point that is tried on the way from 0 to 1e7 is the root, to 1e7/2^50.
 TEST(Polynomials, WhatRegulaFalsiCannotFindIsHalved) {
   // x^4 + x^3 + x^2 + x - 4 is 0 at 1 and crosses nowhere else on the positive side.
   const double c[] = {1, 1, 1, 1, -4};
   double root;
   ASSERT_EQ(solve_sturm(4, c, &root), 1);
   const double cell = 1e7 / std::exp2(50);
-  EXPECT_NEAR(root, 1, cell / 2);
-  // The middle of a cell, to the last bit.
-  EXPECT_EQ(root / cell - std::floor(root / cell), 0.5);
+  EXPECT_NEAR(root, 1, cell);
+  // The border of two cells, to the last bit, which the forty-ninth was not.
+  EXPECT_EQ(std::fmod(root / cell, 2), 1);
 }
 
 }  // namespace

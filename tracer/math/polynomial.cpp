@@ -196,21 +196,24 @@ int halve_to_bound(const SturmSequence& s, double low, double& high) {
   return halvings;
 }
 
-// The one root of the sequence in (low, high] by bisection. Sign changes tell on which side it is; so
-// does the sign of the polynomial itself, where it has one at either end.
+// The one root of the sequence in (low, high] by bisection; after too many steps, the last point
+// tried, not the middle of what is left (measured on povray 3.7). Sign changes tell on which side it
+// is; so does the sign of the polynomial itself, where it has one at either end.
 double bisect(const SturmSequence& s, double low, double high, int low_changes) {
   const SturmTerm& f = s.term[0];
   const double at_low = f.value(low);
   const bool crosses = at_low * f.value(high) < 0;
-  for (int i = halve_to_bound(s, low, high); i < kMostHalvings; ++i) {
-    const double middle = (low + high) / 2;
+  int i = halve_to_bound(s, low, high);
+  double middle = high;
+  for (; i < kMostHalvings; ++i) {
+    middle = (low + high) / 2;
     if (is_small(high - low, middle)) return middle;
     const bool is_above =
         crosses ? f.value(middle) * at_low > 0 : low_changes == s.changes_at(middle);
     low = is_above ? middle : low;
     high = is_above ? high : middle;
   }
-  return (low + high) / 2;
+  return middle;
 }
 
 // Writes the roots in (low, high], ascending; changes are the sign changes at both ends.
@@ -223,12 +226,11 @@ int isolate(const SturmSequence& s, double low, double high, int low_changes, in
     return 1;
   }
   // Several: halve until they part.
-  for (int i = halve_to_bound(s, low, high); i < kMostHalvings; ++i) {
-    const double middle = (low + high) / 2;
-    if (is_small(high - low, middle)) {
-      roots[0] = middle;
-      return 1;
-    }
+  int i = halve_to_bound(s, low, high);
+  double middle = high;
+  for (; i < kMostHalvings; ++i) {
+    middle = (low + high) / 2;
+    if (is_small(high - low, middle)) break;
     const int changes = s.changes_at(middle);
     const int lower = low_changes - changes, upper = changes - high_changes;
     if (lower > 0 && upper > 0) {
@@ -241,7 +243,7 @@ int isolate(const SturmSequence& s, double low, double high, int low_changes, in
       high = middle;
     }
   }
-  roots[0] = (low + high) / 2;
+  roots[0] = middle;
   return 1;
 }
 

@@ -183,9 +183,9 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
       const FinishNode& finish = *layer.finish;
       Reflectivity mirror;
       if (layer.is_mirror && recursive_) {
-        double relative_ior = 1;
+        float relative_ior = 1;
         if (finish.reflection_fresnel) {
-          const double ior = hit.interior.ior;
+          const float ior = hit.interior.ior;
           if (ray.interiors.empty()) {
             relative_ior = ior;
           } else if (hit.inside_interior) {

@@ -57,7 +57,7 @@ class Prism final : public Shape {
 
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     if (hit.part >= segments_.size()) return {0, 1, 0};
-    const Vec2 tangent = segments_[hit.part].tangent(static_cast<double>(hit.u));
+    const Vec2 tangent = segments_[hit.part].tangent(hit.parameter());
     Vec3 n(tangent.y, 0, -tangent.x);
     if (conic_ && std::abs(p.y) > kGeometryEpsilon) n.y = -(p.x * n.x + p.z * n.z) / p.y;
     return n;
@@ -66,7 +66,7 @@ class Prism final : public Shape {
  private:
   void push(double t, double scale, size_t part, double w, HitStack& out) const {
     if (t * scale > 1e-4 && t * scale < kGreatestDepth)
-      out.push(t * scale, static_cast<uint32_t>(part), static_cast<float>(w));
+      out.push_with_parameter(t * scale, static_cast<uint32_t>(part), w);
   }
 
   void cap(const Vec3& p, const Vec3& d, double height, double scale, HitStack& out) const {

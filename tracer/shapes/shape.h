@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -19,6 +20,8 @@ struct ShapeHit {
   uint32_t node;  // who was hit; filled in by HitStack
   uint32_t part;  // side, segment, triangle …: the shape's own business
   float u, v;     // likewise
+  // One number of full precision in place of u and v.
+  double parameter() const { return std::bit_cast<double>(std::array<float, 2>{u, v}); }
 };
 
 // Where shapes push their hits. One per thread, reused: it does not allocate once it has grown.
@@ -26,6 +29,10 @@ class HitStack {
  public:
   HitStack() : hits_(256) {}
   void push(double t, uint32_t part = 0, float u = 0, float v = 0) { push({t, owner, part, u, v}); }
+  void push_with_parameter(double t, uint32_t part, double parameter) {
+    const auto [u, v] = std::bit_cast<std::array<float, 2>>(parameter);
+    push(t, part, u, v);
+  }
   void push(const ShapeHit& hit) {
     if (size_ == hits_.size()) [[unlikely]] hits_.resize(2 * size_);
     hits_[size_++] = hit;
@@ -102,6 +109,8 @@ class Shape {
   virtual bool inside_inverted(const Vec3& point) const { return !inside(point); }
   // Local, of any length but zero.
   virtual Vec3 normal(const Vec3& point, const ShapeHit& hit) const = 0;
+  // They are of length 1 but for rounding; povray leaves them so where there is no transform.
+  virtual bool has_unit_normals() const { return false; }
   virtual Vec2 uv(const Vec3& point, const Vec3& world_point, const ShapeHit& hit) const;
 
   // Of shapes that can be swept: what hits() pushes, in its order; more than two where the part of this

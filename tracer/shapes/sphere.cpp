@@ -26,20 +26,20 @@ class Sphere final : public Shape {
 
   void line_hits(const ShapeRay& ray, LineHits& out) const override {
     double near, far;
-    const double scale = depths(ray, near, far);
-    if (scale == 0) return;
-    if (near > 1e-6 && near < kGreatestDepth) out.add(near * scale);
-    if (far > 1e-6 && far < kGreatestDepth) out.add(far * scale);
+    const double stretch = depths(ray, near, far);
+    if (stretch == 0) return;
+    if (near > 1e-6 && near < kGreatestDepth) out.add(near / stretch);
+    if (far > 1e-6 && far < kGreatestDepth) out.add(far / stretch);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
     double near, far;
-    const double scale = depths(ray, near, far);
-    if (scale == 0) return false;
+    const double stretch = depths(ray, near, far);
+    if (stretch == 0) return false;
     // Which of the two counts processors cannot guess: no branch.
-    const bool enters = (near > 1e-6) & (near * scale >= kLeastHitDepth);
+    const bool enters = (near > 1e-6) & (near >= kLeastHitDepth * stretch);
     const double depth = enters ? near : far;
-    const double t = depth * scale;
+    const double t = ray.unit_direction ? depth : depth / stretch;
     hit.t = t;
     hit.part = 0;
     return (depth > 1e-6) & (depth < kGreatestDepth) & (t >= kLeastHitDepth) & (t < ray.t_max);
@@ -54,8 +54,9 @@ class Sphere final : public Shape {
     return dot(d, d) > radius_ * radius_;
   }
   Vec3 normal(const Vec3& p, const ShapeHit&) const override {
-    return radius_ < 0 ? center_ - p : p - center_;
+    return (p - center_) / radius_;
   }
+  bool has_unit_normals() const override { return true; }
 
   Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit&) const override {
     Vec3 d = p - center_;
@@ -92,13 +93,14 @@ class Sphere final : public Shape {
   bool is_quickly_missed() const override { return true; }
 
  private:
-  // Both depths in normalised local space; returns world distance per unit, 0 for a miss.
+  // Both depths in normalised local space; returns how many times those in the world they are, 0 for
+  // a miss.
   double depths(const ShapeRay& ray, double& near, double& far) const {
     Vec3 direction = ray.direction;
-    double scale = 1;
+    double stretch = 1;
     if (!ray.unit_direction) {
-      scale = 1 / length(direction);
-      direction *= scale;
+      stretch = length(direction);
+      direction *= 1 / stretch;
     }
     const Vec3 to_center = center_ - ray.origin;
     const double squared = dot(to_center, to_center);
@@ -110,7 +112,7 @@ class Sphere final : public Shape {
     const double half_chord = std::sqrt(half_chord2);
     near = along - half_chord;
     far = along + half_chord;
-    return scale;
+    return stretch;
   }
 
   Vec3 center_;

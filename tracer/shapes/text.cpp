@@ -172,7 +172,7 @@ class Glyph final : public Shape {
         const double t =
             std::abs(d.x) > std::abs(d.y) ? (at.x - p.x) / d.x : (at.y - p.y) / d.y;
         const double z = p.z + t * d.z;
-        if (z >= 0 && z <= depth_ && t > 1e-6) out.push(t, i + 2, static_cast<float>(u[k]));
+        if (z >= 0 && z <= depth_ && t > 1e-6) out.push_with_parameter(t, i + 2, u[k]);
       }
     };
     const int row = rows_.row_of(low.y);
@@ -190,7 +190,7 @@ class Glyph final : public Shape {
 
   Vec3 normal(const Vec3&, const ShapeHit& hit) const override {
     if (hit.part < 2) return {0, 0, hit.part == 0 ? -1 : 1};
-    const Vec2 tangent = edges_[hit.part - 2].tangent(static_cast<double>(hit.u));
+    const Vec2 tangent = edges_[hit.part - 2].tangent(hit.parameter());
     return {tangent.y, -tangent.x, 0};
   }
 

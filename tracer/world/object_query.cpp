@@ -63,7 +63,8 @@ bool ObjectQuery::trace(const Vec3& origin, const Vec3& unit_direction, Vec3& po
   } else {
     normal = node.shape->normal(point, hit);
   }
-  normal = normal * (1 / length(normal));
+  const bool has_unit_length = node.transform < 0 && node.shape->has_unit_normals();
+  if (!has_unit_length) normal = normal * (1 / length(normal));
   if (node.inverted) normal = -normal;
   return true;
 }

@@ -339,7 +339,7 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
     out.normal = node.shape->normal(local, shape_hit);
   }
   if (instance) out.normal = instance->transform.normal(out.normal);
-  out.normal = unit_or_zero(out.normal);
+  if (instance || !appearance.has_unit_normals) out.normal = unit_or_zero(out.normal);
   if (node.inverted) out.normal = -out.normal;
   out.uv = appearance.needs_uv ? node.shape->uv(local, out.point, shape_hit) : Vec2(0);
 

@@ -61,8 +61,8 @@ struct WorldObject {
 // Every object has one (spec/shading.md 11.2); members of a CSG share their parent's.
 struct WorldInterior {
   std::shared_ptr<const InteriorNode> node;  // null: the implicit one
-  double ior = 1;                            // with "not set" resolved
-  double dispersion = 1;
+  float ior = 1;                             // with "not set" resolved
+  float dispersion = 1;
   int dispersion_samples = 7;
   double caustics = 0;   // exponent of the brightening of shadows; 0: none
   float refraction = 1;  // factor on the light that passes each surface

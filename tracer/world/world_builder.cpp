@@ -94,7 +94,7 @@ void take_from_finish(WorldInterior& interior, const TextureNode& texture) {
   if (texture.kind != TextureNode::Kind::plain) return;
   static const FinishNode default_finish;
   const FinishNode& finish = texture.finish ? *texture.finish : default_finish;
-  if (finish.legacy_ior >= 0) interior.ior = static_cast<double>(finish.legacy_ior);
+  if (finish.legacy_ior >= 0) interior.ior = finish.legacy_ior;
   if (finish.legacy_caustics >= 0) interior.caustics = static_cast<double>(finish.legacy_caustics);
   interior.refraction = finish.legacy_refraction >= 0 ? finish.legacy_refraction : 1;
 }
@@ -278,8 +278,8 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
                                          : object.interior;
       // Without an ior there is no dispersion either.
       if (fresh.node->ior != 0) {
-        fresh.ior = static_cast<double>(fresh.node->ior);
-        fresh.dispersion = static_cast<double>(fresh.node->dispersion);
+        fresh.ior = fresh.node->ior;
+        fresh.dispersion = fresh.node->dispersion;
       }
       fresh.dispersion_samples = fresh.node->dispersion_samples;
       fresh.caustics = 45.0 * static_cast<double>(fresh.node->caustics);
@@ -451,6 +451,8 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   NodeAppearance appearance;
   appearance.cutaway_root = object.texture ? -1 : filter;
   appearance.needs_uv = material.uv_mapping;
+  appearance.has_unit_normals = object.kind == ResolvedObject::Kind::shape && object.shape &&
+                                !object.has_transform && object.shape->has_unit_normals();
   for (const uint32_t texture : {material.texture, material.interior_texture}) {
     if (texture != kNoTexture) appearance.needs_uv |= textures_.uses_uv(texture);
   }

@@ -91,6 +91,7 @@ struct NodeAppearance {
   int32_t own_textures = -1;  // in World arrays: index of the first of a shape's own textures
   int32_t cutaway_root = -1;  // node whose members lend their textures
   bool needs_uv = false;
+  bool has_unit_normals = false;  // of the shape, which has no transform
 };
 
 struct WorldData {
