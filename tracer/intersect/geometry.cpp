@@ -391,8 +391,9 @@ bool Geometry::closest(uint32_t index, const GeometryRay& ray, double t_max, Hit
 }
 
 void Geometry::finish_node(uint32_t index) {
-  enclose(index);
   GeometryNode& node = nodes[index];
+  if (node.kind == NodeKind::merge) take_in_merges(node);
+  enclose(index);
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
   node.is_half_space = node.kind == NodeKind::shape && node.shape->is_half_space();
@@ -432,6 +433,29 @@ void Geometry::finish_node(uint32_t index) {
     const GeometryNode& first = nodes[lists[node.children.first]];
     node.is_boxed &= !(first.narrows && is_quick(first));
   }
+}
+
+// A merge of merges is one of all their members: where those are many, one hierarchy holds them. Hits
+// come in the same order, as a composite passes on its members' hits reversed.
+void Geometry::take_in_merges(GeometryNode& node) {
+  std::vector<uint32_t> all;
+  for (uint32_t i = 0; i < node.children.count; ++i) {
+    const uint32_t child = lists[node.children.first + i];
+    const GeometryNode& member = nodes[child];
+    const uint32_t* own = lists.data() + member.children.first;
+    const bool is_plain =
+        member.kind == NodeKind::merge && !member.hidden && member.clips.count == 0 &&
+        member.bounds.count == 0 &&
+        std::all_of(own, own + member.children.count, [&](uint32_t c) { return !nodes[c].hidden; });
+    if (!is_plain) {
+      all.push_back(child);
+      continue;
+    }
+    for (uint32_t k = member.children.count; k-- > 0;) all.push_back(own[k]);
+  }
+  if (all.size() == node.children.count || all.size() < kTreeThreshold) return;
+  node.children = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(all.size())};
+  lists.insert(lists.end(), all.begin(), all.end());
 }
 
 void Geometry::enclose(uint32_t index) {
