@@ -15,11 +15,34 @@ bool same_point(const Vec2& a, const Vec2& b) {
   return std::abs(a.x - b.x) < kSame && std::abs(a.y - b.y) < kSame;
 }
 
+// Segments that follow each other, and the rectangle that they lie in.
+struct Run {
+  static constexpr size_t kMost = 8;
+
+  size_t first, end;
+  Vec2 min, max;
+};
+
+std::vector<Run> runs_of(const std::vector<CurveSegment>& segments) {
+  std::vector<Run> runs;
+  for (size_t first = 0; first < segments.size(); first += Run::kMost) {
+    Run run{first, std::min(first + Run::kMost, segments.size()), segments[first].min,
+            segments[first].max};
+    for (size_t i = first; i < run.end; ++i) {
+      run.min = glm::min(run.min, segments[i].min);
+      run.max = glm::max(run.max, segments[i].max);
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
 // The curve's second coordinate is z: Vec2::y below.
 class Prism final : public Shape {
  public:
   Prism(const PrismNode& node, std::vector<CurveSegment> segments)
       : segments_(std::move(segments)),
+        runs_(runs_of(segments_)),
         bottom_(std::min(node.height1, node.height2)),
         top_(std::max(node.height1, node.height2)),
         degree_(degree_of(node.spline)),
@@ -85,9 +108,7 @@ class Prism final : public Shape {
       cap(p, d, bottom_, scale, out);
     }
     if (std::abs(d.x) < kGeometryEpsilon && std::abs(d.z) < kGeometryEpsilon) return;
-    for (size_t i = 0; i < segments_.size(); ++i) {
-      const CurveSegment& s = segments_[i];
-      if (!line_meets_box(s, d.z, -d.x, d.x * p.z - d.z * p.x)) continue;
+    for_each_met(d.z, -d.x, d.x * p.z - d.z * p.x, [&](const CurveSegment& s, size_t i) {
       double w[3];
       const int count = solve_line(s, d.z, -d.x, d.x * p.z - d.z * p.x, w);
       for (int k = 0; k < count; ++k) {
@@ -97,7 +118,7 @@ class Prism final : public Shape {
         const double y = p.y + t * d.y;
         if (y >= bottom_ && y <= top_) push(t, scale, i, w[k], out);
       }
-    }
+    });
   }
 
   void conic_hits(const Vec3& p, const Vec3& d, double scale, HitStack& out) const {
@@ -108,9 +129,7 @@ class Prism final : public Shape {
     // Rays along the axis meet the caps only, as in POV-Ray.
     if (std::abs(d.x) < kGeometryEpsilon && std::abs(d.z) < kGeometryEpsilon) return;
     const double k1 = p.z * d.y - p.y * d.z, k2 = p.y * d.x - p.x * d.y, k3 = p.x * d.z - p.z * d.x;
-    for (size_t i = 0; i < segments_.size(); ++i) {
-      const CurveSegment& s = segments_[i];
-      if (!line_meets_box(s, k1, k2, k3)) continue;
+    for_each_met(k1, k2, k3, [&](const CurveSegment& s, size_t i) {
       double w[3];
       const int count = solve_line(s, k1, k2, k3, w);
       for (int k = 0; k < count; ++k) {
@@ -127,13 +146,24 @@ class Prism final : public Shape {
         const double y = p.y + t * d.y;
         if (y >= bottom_ && y <= top_) push(t, scale, i, w[k], out);
       }
-    }
+    });
   }
 
-  // The line x k1 + z k2 + k3 = 0 of the plane must touch the segment's rectangle.
-  static bool line_meets_box(const CurveSegment& s, double k1, double k2, double k3) {
-    const double low = std::min(k1 * s.min.x, k1 * s.max.x) + std::min(k2 * s.min.y, k2 * s.max.y);
-    const double high = std::max(k1 * s.min.x, k1 * s.max.x) + std::max(k2 * s.min.y, k2 * s.max.y);
+  // visit(segment, number) for those whose rectangles the line x k1 + z k2 + k3 = 0 of the plane
+  // touches, in order.
+  template <typename Visit>
+  void for_each_met(double k1, double k2, double k3, Visit&& visit) const {
+    for (const Run& run : runs_) {
+      if (!line_meets_box(run.min, run.max, k1, k2, k3)) continue;
+      for (size_t i = run.first; i < run.end; ++i) {
+        const CurveSegment& s = segments_[i];
+        if (line_meets_box(s.min, s.max, k1, k2, k3)) visit(s, i);
+      }
+    }
+  }
+  static bool line_meets_box(const Vec2& min, const Vec2& max, double k1, double k2, double k3) {
+    const double low = std::min(k1 * min.x, k1 * max.x) + std::min(k2 * min.y, k2 * max.y);
+    const double high = std::max(k1 * min.x, k1 * max.x) + std::max(k2 * min.y, k2 * max.y);
     const double slack = 1e-9 * (std::abs(low) + std::abs(high) + std::abs(k3));
     return low + k3 <= slack && high + k3 >= -slack;
   }
@@ -154,16 +184,24 @@ class Prism final : public Shape {
   // Odd number of crossings of the curve along +x.
   bool covers(double x, double z) const {
     bool inside = false;
-    for (const CurveSegment& s : segments_) {
-      if (z < s.min.y || z > s.max.y || x > s.max.x) continue;
-      double w[3];
-      for (int i = solve_coordinate(s, degree_, 1, z, w); i-- > 0;)
-        if (s.point(w[i]).x >= x) inside = !inside;
+    const auto is_passed = [&](const Vec2& min, const Vec2& max) {
+      return z < min.y || z > max.y || x > max.x;
+    };
+    for (const Run& run : runs_) {
+      if (is_passed(run.min, run.max)) continue;
+      for (size_t k = run.first; k < run.end; ++k) {
+        const CurveSegment& s = segments_[k];
+        if (is_passed(s.min, s.max)) continue;
+        double w[3];
+        for (int i = solve_coordinate(s, degree_, 1, z, w); i-- > 0;)
+          if (s.point(w[i]).x >= x) inside = !inside;
+      }
     }
     return inside;
   }
 
   std::vector<CurveSegment> segments_;
+  std::vector<Run> runs_;
   double bottom_, top_;
   int degree_;
   bool conic_, open_, sturm_;
