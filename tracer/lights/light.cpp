@@ -24,6 +24,7 @@ Light::Light(const LightNode& node)
       is_directed_(node.parallel || node.kind == LightKind::cylinder),
       is_attenuated_(node.kind != LightKind::point || node.fade_power > 0) {
   axis_ = normalize_or_zero(node.point_at - node.location);
+  to_center_ = normalize_or_zero(node.location - node.point_at);
   if (node.size1 > 1) grid_step1_ = 1.0 / (node.size1 - 1);
   if (node.size2 > 1) grid_step2_ = 1.0 / (node.size2 - 1);
   if (node.kind == LightKind::spot) {

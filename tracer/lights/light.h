@@ -23,6 +23,11 @@ class Light {
   LightDirection direction_from(const Vec3& point, const Vec3& center) const {
     return is_directed_ ? along_axis(point, center) : towards(center - point);
   }
+  // The same from the node's own centre.
+  LightDirection direction_from(const Vec3& point) const {
+    if (!is_directed_) return towards(node_.location - point);
+    return {to_center_, dot(node_.location - point, to_center_)};
+  }
   // Cone, cylinder and distance attenuation of 9.2 for a direction as above.
   double attenuation(const Vec3& point, const LightDirection& to_light) const {
     return is_attenuated_ ? attenuation_of_shape(point, to_light) : 1;
@@ -47,6 +52,7 @@ class Light {
   bool is_directed_;
   bool is_attenuated_;  // by its shape or by distance
   Vec3 axis_{0, 0, 1};
+  Vec3 to_center_{0, 0, 0};  // of directed lights: against the axis
   double cos_radius_ = 1, cos_falloff_ = 1;
   double grid_step1_ = 0, grid_step2_ = 0;
 };

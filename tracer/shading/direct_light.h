@@ -22,7 +22,7 @@ class DirectLight {
   void find_unshadowed(int index, const Vec3& point, ArrivingLight& result) const {
     const Light& light = scene_.lights[index];
     const LightNode& node = light.node();
-    result.direction = light.direction_from(point, node.location);
+    result.direction = light.direction_from(point);
     // With area_illumination each sample is attenuated by itself, later.
     const bool per_sample =
         node.area_illumination && node.area && scene_.options.quality >= 5;

@@ -13,7 +13,10 @@ namespace {
 class Lathe final : public Shape {
  public:
   Lathe(const LatheNode& node, std::vector<CurveSegment> segments)
-      : segments_(std::move(segments)), degree_(degree_of(node.spline)), sturm_(node.sturm) {
+      : segments_(std::move(segments)),
+        runs_(runs_of(segments_)),
+        degree_(degree_of(node.spline)),
+        sturm_(node.sturm) {
     enclose(segments_, min_, max_);
   }
 
@@ -27,21 +30,24 @@ class Lathe final : public Shape {
     const Vec3 d = ray.direction * scale, p = ray.origin;
     const double rr = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z;
     const double distance2 = p.x * p.x + p.z * p.z;
-    for (size_t i = 0; i < segments_.size(); ++i) {
-      const CurveSegment& s = segments_[i];
-      if (!meets_tube(s, p, d, rr, m, distance2)) continue;
-      double w[6];
-      const int count = solve_profile(s, p, d, rr, m, distance2, w);
-      for (int k = 0; k < count; ++k) {
-        if (w[k] < 0 || w[k] > 1) continue;
-        const Vec2 at = s.point(w[k]);
-        if (std::abs(d.y) > kGeometryEpsilon) {
-          push((at.y - p.y) / (d.y * size), i, w[k], out);
-        } else {
-          const double c[3] = {rr, 2 * m, distance2 - at.x * at.x};
-          double t[2];
-          for (int n = 0, found = solve_quadratic(c, t); n < found; ++n)
-            push(t[n] * scale, i, w[k], out);
+    for (const CurveRun& run : runs_) {
+      if (!meets_tube(run.min, run.max, p, d, rr, m, distance2)) continue;
+      for (size_t i = run.first; i < run.end; ++i) {
+        const CurveSegment& s = segments_[i];
+        if (!meets_tube(s.min, s.max, p, d, rr, m, distance2)) continue;
+        double w[6];
+        const int count = solve_profile(s, p, d, rr, m, distance2, w);
+        for (int k = 0; k < count; ++k) {
+          if (w[k] < 0 || w[k] > 1) continue;
+          const Vec2 at = s.point(w[k]);
+          if (std::abs(d.y) > kGeometryEpsilon) {
+            push((at.y - p.y) / (d.y * size), i, w[k], out);
+          } else {
+            const double c[3] = {rr, 2 * m, distance2 - at.x * at.x};
+            double t[2];
+            for (int n = 0, found = solve_quadratic(c, t); n < found; ++n)
+              push(t[n] * scale, i, w[k], out);
+          }
         }
       }
     }
@@ -52,11 +58,18 @@ class Lathe final : public Shape {
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (p.y < min_.y || p.y > max_.y || rho < min_.x || rho > max_.x) return false;
     bool inside = false;
-    for (const CurveSegment& s : segments_) {
-      if (p.y < s.min.y - kGeometryEpsilon || p.y > s.max.y + kGeometryEpsilon) continue;
-      double w[3];
-      for (int i = solve_coordinate(s, degree_, 1, p.y, w); i-- > 0;)
-        if (s.point(w[i]).x >= rho) inside = !inside;
+    const auto is_beside = [&](const Vec2& min, const Vec2& max) {
+      return p.y < min.y - kGeometryEpsilon || p.y > max.y + kGeometryEpsilon;
+    };
+    for (const CurveRun& run : runs_) {
+      if (is_beside(run.min, run.max)) continue;
+      for (size_t k = run.first; k < run.end; ++k) {
+        const CurveSegment& s = segments_[k];
+        if (is_beside(s.min, s.max)) continue;
+        double w[3];
+        for (int i = solve_coordinate(s, degree_, 1, p.y, w); i-- > 0;)
+          if (s.point(w[i]).x >= rho) inside = !inside;
+      }
     }
     return inside;
   }
@@ -79,26 +92,26 @@ class Lathe final : public Shape {
       out.push_with_parameter(t, static_cast<uint32_t>(segment), w);
   }
 
-  // The ray must cross the segment's tube: its heights, and its outer radius.
-  static bool meets_tube(const CurveSegment& s, const Vec3& p, const Vec3& d, double rr, double m,
-                         double distance2) {
+  // The ray must cross the tube of segments within this rectangle: its heights, and its outer radius.
+  static bool meets_tube(const Vec2& min, const Vec2& max, const Vec3& p, const Vec3& d, double rr,
+                         double m, double distance2) {
     double from = 0, to = kGreatestDepth;
     if (std::abs(d.y) > kGeometryEpsilon) {
-      const double a = (s.min.y - p.y) / d.y, b = (s.max.y - p.y) / d.y;
+      const double a = (min.y - p.y) / d.y, b = (max.y - p.y) / d.y;
       from = std::max(from, std::min(a, b) - 1e-6);
       to = std::min(to, std::max(a, b) + 1e-6);
       if (from > to) return false;
-    } else if (p.y < s.min.y - 1e-6 || p.y > s.max.y + 1e-6) {
+    } else if (p.y < min.y - 1e-6 || p.y > max.y + 1e-6) {
       return false;
     }
-    const double radius = std::max(std::abs(s.min.x), std::abs(s.max.x)) + 1e-6;
+    const double radius = std::max(std::abs(min.x), std::abs(max.x)) + 1e-6;
     if (rr < kGeometryEpsilon) return distance2 <= radius * radius;
     const double discriminant = m * m - rr * (distance2 - radius * radius);
     if (discriminant < 0) return false;
     const double root = std::sqrt(discriminant);
     if (std::max(from, (-m - root) / rr) > std::min(to, (-m + root) / rr)) return false;
     // All of the way below the inner radius?
-    const double inner = std::min(s.min.x, s.max.x) - 1e-6;
+    const double inner = std::min(min.x, max.x) - 1e-6;
     if (inner <= 0) return true;
     const auto within = [&](double t) { return distance2 + t * (2 * m + t * rr) < inner * inner; };
     return !(within(from) && within(to));
@@ -140,6 +153,7 @@ class Lathe final : public Shape {
   }
 
   std::vector<CurveSegment> segments_;
+  std::vector<CurveRun> runs_;
   int degree_;
   bool sturm_;
   Vec2 min_, max_;

@@ -15,28 +15,6 @@ bool same_point(const Vec2& a, const Vec2& b) {
   return std::abs(a.x - b.x) < kSame && std::abs(a.y - b.y) < kSame;
 }
 
-// Segments that follow each other, and the rectangle that they lie in.
-struct Run {
-  static constexpr size_t kMost = 8;
-
-  size_t first, end;
-  Vec2 min, max;
-};
-
-std::vector<Run> runs_of(const std::vector<CurveSegment>& segments) {
-  std::vector<Run> runs;
-  for (size_t first = 0; first < segments.size(); first += Run::kMost) {
-    Run run{first, std::min(first + Run::kMost, segments.size()), segments[first].min,
-            segments[first].max};
-    for (size_t i = first; i < run.end; ++i) {
-      run.min = glm::min(run.min, segments[i].min);
-      run.max = glm::max(run.max, segments[i].max);
-    }
-    runs.push_back(run);
-  }
-  return runs;
-}
-
 // The curve's second coordinate is z: Vec2::y below.
 class Prism final : public Shape {
  public:
@@ -153,7 +131,7 @@ class Prism final : public Shape {
   // touches, in order.
   template <typename Visit>
   void for_each_met(double k1, double k2, double k3, Visit&& visit) const {
-    for (const Run& run : runs_) {
+    for (const CurveRun& run : runs_) {
       if (!line_meets_box(run.min, run.max, k1, k2, k3)) continue;
       for (size_t i = run.first; i < run.end; ++i) {
         const CurveSegment& s = segments_[i];
@@ -187,7 +165,7 @@ class Prism final : public Shape {
     const auto is_passed = [&](const Vec2& min, const Vec2& max) {
       return z < min.y || z > max.y || x > max.x;
     };
-    for (const Run& run : runs_) {
+    for (const CurveRun& run : runs_) {
       if (is_passed(run.min, run.max)) continue;
       for (size_t k = run.first; k < run.end; ++k) {
         const CurveSegment& s = segments_[k];
@@ -201,7 +179,7 @@ class Prism final : public Shape {
   }
 
   std::vector<CurveSegment> segments_;
-  std::vector<Run> runs_;
+  std::vector<CurveRun> runs_;
   double bottom_, top_;
   int degree_;
   bool conic_, open_, sturm_;

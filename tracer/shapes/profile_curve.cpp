@@ -37,6 +37,21 @@ void extend_by_extrema(CurveSegment& s, int axis) {
 
 }  // namespace
 
+std::vector<CurveRun> runs_of(const std::vector<CurveSegment>& segments) {
+  constexpr size_t kMost = 8;
+  std::vector<CurveRun> runs;
+  for (size_t first = 0; first < segments.size(); first += kMost) {
+    CurveRun run{first, std::min(first + kMost, segments.size()), segments[first].min,
+                 segments[first].max};
+    for (size_t i = first; i < run.end; ++i) {
+      run.min = glm::min(run.min, segments[i].min);
+      run.max = glm::max(run.max, segments[i].max);
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
 void enclose(const std::vector<CurveSegment>& segments, Vec2& min, Vec2& max) {
   min = segments[0].min;
   max = segments[0].max;

@@ -2,6 +2,7 @@
 // degree 1..3 in w, 0 <= w <= 1.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "tracer/scene/shapes.h"
@@ -15,6 +16,13 @@ struct CurveSegment {
   Vec2 point(double w) const { return ((cubic * w + square) * w + linear) * w + constant; }
   Vec2 tangent(double w) const { return (3.0 * cubic * w + 2.0 * square) * w + linear; }
 };
+
+// Some segments that follow each other, for rays that pass all of them.
+struct CurveRun {
+  size_t first, end;
+  Vec2 min, max;  // encloses them
+};
+std::vector<CurveRun> runs_of(const std::vector<CurveSegment>& segments);
 
 // Encloses all segments, of which there is at least one.
 void enclose(const std::vector<CurveSegment>& segments, Vec2& min, Vec2& max);
