@@ -43,6 +43,7 @@ class CameraReader {
         {Keyword::panoramic, CameraKind::panoramic},
         {Keyword::spherical, CameraKind::spherical},
     };
+    if (parser_.at_any({Keyword::spherical, Keyword::mesh_camera})) require_version_3_5();
     for (const Word& word : kWords) {
       if (!parser_.accept(word.keyword)) continue;
       set_kind(word.kind);
@@ -60,6 +61,10 @@ class CameraReader {
       return true;
     }
     return false;
+  }
+
+  void require_version_3_5() {
+    if (stepwise_) parser_.error("this word in a camera needs #version 3.5 or later");
   }
 
   void set_kind(CameraKind kind) {
@@ -160,6 +165,7 @@ class CameraReader {
       focal_point_given_ = true;
       if (stepwise_) camera_.focal_distance = length(camera_.focal_point - camera_.location);
     } else if (parser_.accept(Keyword::bokeh)) {
+      require_version_3_5();
       parser_.expect_open("bokeh");
       if (parser_.accept(Keyword::pigment)) {
         camera_.bokeh = parse_pigment(parser_, default_texture(parser_)->pigment);

@@ -182,6 +182,9 @@ class TextureReader {
     }
     for (;;) {
       if (parser_.accept(Keyword::texture_map)) {
+        if (list_length(choice.pattern.kind) > 0) {
+          parser_.error("this pattern takes a list, not a texture_map");
+        }
         choice.map = parse_texture_map(parser_, choice.pattern.kind == PatternKind::average
                                                     ? MapEntries::weights
                                                     : MapEntries::places);
