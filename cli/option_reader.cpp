@@ -290,9 +290,17 @@ void OptionReader::read_plain_word(Text& text) {
     return;
   }
   if (text.peek() == '[') {
-    const size_t end = std::min(text.all.find(']', text.at), text.all.size());
-    word += std::string(text.all.substr(text.at, end - text.at)) + "]";
-    text.at = std::min(end + 1, text.all.size());
+    const size_t end = text.all.find(']', text.at);
+    if (end == std::string_view::npos) {
+      text.fail("the section's name in '" + std::string(text.all) + "' has no ']' at its end");
+    }
+    std::string_view section = text.all.substr(text.at + 1, end - text.at - 1);
+    // povray reads no quotes here; as part of the name they would make the section be missed silently.
+    if (section.size() >= 2 && is_quote(section.front()) && section.back() == section.front()) {
+      section = section.substr(1, section.size() - 2);
+    }
+    word += "[" + std::string(section) + "]";
+    text.at = end + 1;
   }
   if (word.empty()) text.fail("cannot read '" + std::string(text.all) + "'");
   const std::string file = word.substr(0, word.find('['));
@@ -458,9 +466,10 @@ void OptionReader::read_ini_file(const std::string& path, const std::string& sec
       const size_t close = std::min(text.all.find(']'), text.all.size());
       const std::string_view name = text.all.substr(text.at + 1, close - text.at - 1);
       active = !section.empty() && equal_ignoring_case(name, section);
-    } else if (active) {
-      read_ini_line(text);
+      // Settings may follow on the same line.
+      text.at = std::min(close + 1, text.all.size());
     }
+    if (active) read_ini_line(text);
   }
   --ini_depth_;
 }

@@ -208,13 +208,15 @@ TEST(CliIni, SectionsCommentsAndLists) {
                            "Height=240 Quality=3\n"
                            "Library_Path=\"/a\", \"/b\"\r"
                            "+A0.2 -J scene.pov\n"
-                           "[small]\nWidth=32\n[LARGE]\nWidth=3200\n[small]\nHeight=24\n");
+                           "[small]\nWidth=32\n[LARGE]\nWidth=3200\n[small] Height=24\n");
   EXPECT_EQ(ini_of({file.path()}),
             "Antialias=On\nAntialias_Threshold=0.2\nHeight=240\nInput_File_Name=\"scene.pov\"\n"
             "Jitter=Off\nLibrary_Path=\"/a\"\nLibrary_Path=\"/b\"\nWidth=320\n");
   EXPECT_NE(ini_of({file.path() + "[Small]"}).find("Height=24\n"), std::string::npos);
   EXPECT_NE(ini_of({file.path() + "[large]"}).find("Width=3200\n"), std::string::npos);
   EXPECT_NE(ini_of({file.path() + "[none]"}).find("Width=320\n"), std::string::npos);
+  EXPECT_NE(ini_of({file.path() + "[\"small\"]"}).find("Height=24\n"), std::string::npos);
+  expect_error({file.path() + "[small"});
   // Later settings win, on whichever side of the file they stand.
   EXPECT_NE(ini_of({"+W5", file.path()}).find("Width=320\n"), std::string::npos);
   EXPECT_NE(ini_of({file.path(), "+W5"}).find("Width=5\n"), std::string::npos);
