@@ -89,7 +89,12 @@ RasterFile read_bmp(const std::string& path) {
   }
   const int channels = file.channels = is_mapped ? 1 : bits / 8;
   const size_t width = static_cast<size_t>(file.width), height = static_cast<size_t>(file.height);
-  file.bytes.resize(width * height * static_cast<size_t>(channels), bits == 1 ? 1 : 0);
+  // What runs leave out has the palette's last colour (measured on povray 3.7).
+  const uint8_t unwritten = packing != Packing::none && !file.palette.empty()
+                                ? static_cast<uint8_t>(file.palette.size() - 1)
+                            : bits == 1 ? 1
+                                        : 0;
+  file.bytes.resize(width * height * static_cast<size_t>(channels), unwritten);
   if (bits == 1) return file;
   if (packing != Packing::none) {
     unpack(in, packing == Packing::runs_of_nibbles, file);
