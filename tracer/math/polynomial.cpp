@@ -273,6 +273,9 @@ int solve_quadratic(const double* coefficient, double* roots) {
 
 namespace {
 
+// Rounded once: 2 * M_PI / 3 is the double below.
+constexpr double kThirdTurn = 2.0943951023931954923, kTwoThirdsTurn = 4.1887902047863909846;
+
 // `only_first`: the others, which may be dear, are not looked for.
 int solve_cubic(const double* c, double* roots, bool only_first) {
   if (c[0] == 0) return solve_quadratic(c + 1, roots);
@@ -295,8 +298,8 @@ int solve_cubic(const double* c, double* roots, bool only_first) {
     const double size = -2 * std::sqrt(q);
     roots[0] = size * std::cos(theta) - shift;
     if (only_first) return 1;
-    roots[1] = size * std::cos(theta + 2 * M_PI / 3) - shift;
-    roots[2] = size * std::cos(theta + 4 * M_PI / 3) - shift;
+    roots[1] = size * std::cos(theta + kThirdTurn) - shift;
+    roots[2] = size * std::cos(theta + kTwoThirdsTurn) - shift;
     return 3;
   }
   const double s = std::pow(std::sqrt(r2 - q3) + std::abs(r), 1.0 / 3.0);

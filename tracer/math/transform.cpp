@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tracer/math/inverse4.h"
+
 namespace durer {
 
 Matrix operator*(const Matrix& first, const Matrix& second) {
@@ -76,14 +78,11 @@ Transform Transform::from_z_axis(const Vec3& base, const Vec3& unit_axis) {
 }
 
 bool Transform::from_matrix(const Matrix& m, Transform& result) {
-  const Vec3 a = m.row[0], b = m.row[1], c = m.row[2];
-  const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-  const double determinant = dot(a, bc);
-  if (determinant == 0 || !std::isfinite(1.0 / determinant)) return false;
-  const double scale = 1.0 / determinant;
+  Matrix4 whole, inverse;
+  for (int i = 0; i < 4; ++i) whole[i] = {m.row[i].x, m.row[i].y, m.row[i].z, i == 3 ? 1.0 : 0.0};
+  if (!invert(whole, inverse)) return false;
   result.forward = m;
-  for (int i = 0; i < 3; ++i) result.inverse.row[i] = Vec3(bc[i], ca[i], ab[i]) * scale;
-  result.inverse.row[3] = -result.inverse.direction(m.row[3]);
+  for (int i = 0; i < 4; ++i) result.inverse.row[i] = {inverse[i][0], inverse[i][1], inverse[i][2]};
   return true;
 }
 

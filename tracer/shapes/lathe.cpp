@@ -67,7 +67,7 @@ class Lathe final : public Shape {
         const CurveSegment& s = segments_[k];
         if (is_beside(s.min, s.max)) continue;
         double w[3];
-        for (int i = solve_coordinate(s, degree_, 1, p.y, w); i-- > 0;)
+        for (int i = solve_coordinate(s, degree_, 1, p.y, sturm_, w); i-- > 0;)
           if (s.point(w[i]).x >= rho) inside = !inside;
       }
     }

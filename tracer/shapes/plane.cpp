@@ -42,9 +42,10 @@ std::shared_ptr<const Shape> Plane::transformed(const Transform& transform) cons
     case TransformKind::rotation:
       return std::make_shared<Plane>(transform.normal(normal_), distance_);
     case TransformKind::scaling: {
-      const Vec3 scaled = transform.normal(normal_);
-      const double norm = length(scaled);
-      return std::make_shared<Plane>(scaled / norm, distance_ / norm);
+      const Vec3 scaled = normal_ / Vec3(transform.forward.row[0].x, transform.forward.row[1].y,
+                                         transform.forward.row[2].z);
+      const double size = length(scaled);  // used as povray does, to the last digit
+      return std::make_shared<Plane>(scaled * (1 / size), distance_ / size);
     }
     default: return nullptr;
   }

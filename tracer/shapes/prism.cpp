@@ -171,7 +171,7 @@ class Prism final : public Shape {
         const CurveSegment& s = segments_[k];
         if (is_passed(s.min, s.max)) continue;
         double w[3];
-        for (int i = solve_coordinate(s, degree_, 1, z, w); i-- > 0;)
+        for (int i = solve_coordinate(s, degree_, 1, z, sturm_, w); i-- > 0;)
           if (s.point(w[i]).x >= x) inside = !inside;
       }
     }

@@ -103,10 +103,11 @@ CurveSegment curve_segment(SplineKind kind, const Vec2* p, bool backwards_bezier
   return s;
 }
 
-int solve_coordinate(const CurveSegment& s, int degree, int axis, double value, double* roots) {
+int solve_coordinate(const CurveSegment& s, int degree, int axis, double value, bool sturm,
+                     double* roots) {
   const double all[4] = {s.cubic[axis], s.square[axis], s.linear[axis], s.constant[axis] - value};
   double found[3];
-  const int count = solve_polynomial(degree, all + 3 - degree, false, 0, found);
+  const int count = solve_polynomial(degree, all + 3 - degree, sturm, 0, found);
   int kept = 0;
   for (int i = 0; i < count; ++i)
     if (found[i] >= 0 && found[i] <= 1) roots[kept++] = found[i];

@@ -37,6 +37,7 @@ CurveSegment curve_segment(SplineKind kind, const Vec2* p, bool backwards_bezier
 
 // Solves polynomial(w) = 0 for 0 <= w <= 1, where polynomial is that coordinate minus value.
 // Returns the count of roots.
-int solve_coordinate(const CurveSegment& segment, int degree, int axis, double value, double* roots);
+int solve_coordinate(const CurveSegment& segment, int degree, int axis, double value, bool sturm,
+                     double* roots);
 
 }  // namespace durer

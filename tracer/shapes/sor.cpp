@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/inverse4.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/shape.h"
 #include "tracer/shapes/spherical_angle.h"
@@ -23,16 +24,24 @@ struct Segment {
 };
 
 Segment make_segment(const Vec2* p) {
-  const double y1 = p[1].y, y2 = p[2].y, h = y2 - y1;
+  const double y1 = p[1].y, y2 = p[2].y;
   const double v1 = p[1].x * p[1].x, v2 = p[2].x * p[2].x;
-  const double s1 = 2 * p[1].x * (p[2].x - p[0].x) / (p[2].y - p[0].y);
-  const double s2 = 2 * p[2].x * (p[3].x - p[1].x) / (p[3].y - p[1].y);
-  // Hermite's cubic in y - y1, then in y.
-  const double rise = (v2 - v1) / h;
-  const double a = (s1 + s2 - 2 * rise) / (h * h);
-  const double b = (3 * rise - 2 * s1 - s2) / h;
-  Segment s{a, b - 3 * a * y1, s1 + y1 * (3 * a * y1 - 2 * b),
-            v1 - y1 * (s1 - y1 * (b - a * y1)), y1, y2, std::max(v1, v2)};
+  const double slope1 = 2 * p[1].x * ((p[2].x - p[0].x) / (p[2].y - p[0].y));
+  const double slope2 = 2 * p[2].x * ((p[3].x - p[1].x) / (p[3].y - p[1].y));
+  // Values and slopes at both ends as sums of the coefficients; their inverse, as povray does it,
+  // since on rims the last bits of the coefficients decide.
+  const Matrix4 system = {{{y1 * y1 * y1, y1 * y1, y1, 1},
+                           {y2 * y2 * y2, y2 * y2, y2, 1},
+                           {3 * y1 * y1, 2 * y1, 1, 0},
+                           {3 * y2 * y2, 2 * y2, 1, 0}}};
+  Matrix4 inverse{};
+  invert(system, inverse);
+  const auto coefficient_of = [&](int i) {
+    return inverse[i][0] * v1 + inverse[i][1] * v2 + inverse[i][2] * slope1 +
+           inverse[i][3] * slope2;
+  };
+  Segment s{coefficient_of(0), coefficient_of(1), coefficient_of(2), coefficient_of(3), y1, y2,
+            std::max(v1, v2)};
   for (double* coefficient : {&s.a, &s.b, &s.c, &s.d})
     if (std::abs(*coefficient) < kGeometryEpsilon) *coefficient = 0;
   const double derivative[3] = {3 * s.a, 2 * s.b, s.c};
@@ -63,11 +72,11 @@ class SurfaceOfRevolution final : public Shape {
   }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    const double scale = 1 / length(ray.direction);
-    const Vec3 d = ray.direction * scale, p = ray.origin;
+    const double stretch = length(ray.direction);
+    const Vec3 d = ray.direction * (1 / stretch), p = ray.origin;
     if (std::abs(d.y) > kGeometryEpsilon) {
-      if (has_base_) disc(p, d, bottom(), base_radius2_, base_part(), scale, out);
-      if (has_cap_) disc(p, d, top(), cap_radius2_, base_part() + 1, scale, out);
+      if (has_base_) disc(p, d, bottom(), base_radius2_, base_part(), stretch, out);
+      if (has_cap_) disc(p, d, top(), cap_radius2_, base_part() + 1, stretch, out);
     }
     const double rr = d.x * d.x + d.z * d.z, m = p.x * d.x + p.z * d.z;
     const double distance2 = p.x * p.x + p.z * p.z;
@@ -76,12 +85,12 @@ class SurfaceOfRevolution final : public Shape {
       if (!meets_tube(s, p, d, rr, m, distance2)) continue;
       const double c[4] = {s.a * d.y * d.y * d.y, d.y * d.y * (3 * s.a * p.y + s.b) - rr,
                            d.y * (p.y * (3 * s.a * p.y + 2 * s.b) + s.c) - 2 * m,
-                           s.radius2(p.y) - distance2};
+                           s.radius2(p.y) - p.x * p.x - p.z * p.z};
       double t[3];
       const int count = solve_polynomial(3, c, sturm_, 0, t);
       for (int k = 0; k < count; ++k) {
         const double y = p.y + t[k] * d.y;
-        if (y >= s.bottom && y <= s.top) push(t[k] * scale, static_cast<uint32_t>(i), out);
+        if (y >= s.bottom && y <= s.top) push(t[k] / stretch, static_cast<uint32_t>(i), out);
       }
     }
   }
@@ -119,10 +128,10 @@ class SurfaceOfRevolution final : public Shape {
     if (t > 1e-4 && t < kGreatestDepth) out.push(t, part);
   }
   static void disc(const Vec3& p, const Vec3& d, double height, double radius2, uint32_t part,
-                   double scale, HitStack& out) {
+                   double stretch, HitStack& out) {
     const double t = (height - p.y) / d.y;
     const double x = p.x + t * d.x, z = p.z + t * d.z;
-    if (x * x + z * z <= radius2) push(t * scale, part, out);
+    if (x * x + z * z <= radius2) push(t / stretch, part, out);
   }
 
   static bool meets_tube(const Segment& s, const Vec3& p, const Vec3& d, double rr, double m,

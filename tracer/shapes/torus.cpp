@@ -20,27 +20,28 @@ class Torus final : public Shape {
   }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    const double scale = 1 / length(ray.direction);
-    const Vec3 d = ray.direction * scale;
+    const double stretch = length(ray.direction);
+    const Vec3 d = ray.direction * (1 / stretch);
     Vec3 p = ray.origin;
     if (!meets_enclosure(p, d)) return;
     // Start near the torus: far origins cost digits.
-    const double reach = major_ + 2 * minor_;
+    const double reach = major_ + minor_ + minor_;
     double closer = 0;
     const double distance2 = dot(p, p);
     if (distance2 > reach * reach) {
       closer = std::sqrt(distance2) - reach;
       p += closer * d;
     }
-    const double r2 = major_ * major_, y2 = p.y * p.y;
-    const double k1 = p.x * p.x + y2 + p.z * p.z - r2 - minor_ * minor_;
-    const double k2 = p.x * d.x + p.y * d.y + p.z * d.z;
-    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + r2 * d.y * d.y)),
-                         4 * (k2 * k1 + 2 * r2 * p.y * d.y),
-                         k1 * k1 + 4 * r2 * (y2 - minor_ * minor_)};
+    // Sums and products in povray's order, to the last bit: on rims and where tori coincide those
+    // decide (measured on povray 3.7).
+    const double r2 = major_ * major_, minor2 = minor_ * minor_, y2 = p.y * p.y;
+    const double k1 = p.x * p.x + p.z * p.z + y2 - r2 - minor2;
+    const double k2 = p.x * d.x + p.z * d.z + p.y * d.y;
+    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + r2 * (d.y * d.y))),
+                         4 * (k1 * k2 + 2 * r2 * (p.y * d.y)), k1 * k1 + 4 * r2 * (y2 - minor2)};
     double roots[4];
     for (int i = solve_polynomial(4, c, sturm_, kRootElimination, roots); i-- > 0;) {
-      const double t = (roots[i] + closer) * scale;
+      const double t = (roots[i] + closer) / stretch;
       if (t > 1e-4 && t < kGreatestDepth) out.push(t);
     }
   }
@@ -53,7 +54,7 @@ class Torus final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit&) const override {
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (rho <= kGeometryEpsilon) return p;
-    return p - (major_ / rho) * Vec3(p.x, 0, p.z);
+    return p - Vec3(major_ * p.x / rho, 0, major_ * p.z / rho);
   }
 
   Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit&) const override {
