@@ -218,6 +218,13 @@ const ParseOptions& Parser::options() const { return state_->options; }
 Scene& Parser::scene() { return state_->scene; }
 bool Parser::is_utf8() const { return state_->utf8; }
 
+bool Parser::font_is_unicode(const std::string& name, const std::string& found) {
+  auto& fonts = state_->unicode_fonts;
+  if (const auto known = fonts.find(name); known != fonts.end()) return known->second;
+  fonts[found] = is_utf8();
+  return is_utf8();
+}
+
 void Parser::set_utf8(bool utf8) {
   state_->utf8 = utf8;
   state_->system_charset = false;

@@ -174,6 +174,9 @@ class Parser {
   // `global_settings { charset utf8 }`.
   void set_utf8(bool utf8);
   bool is_utf8() const;
+  // Whether texts in this font take their characters by Unicode. As in povray the charset at the first
+  // use decides, for as long as the font is called by the name under which it was found last.
+  bool font_is_unicode(const std::string& name, const std::string& found);
   // `charset sys`: an error as soon as a string is read.
   void set_system_charset();
   // noise_generator or #version has changed.

@@ -341,6 +341,7 @@ struct Parser::State {
   bool version_seen = false;
   bool version_first = false;
   bool utf8 = false;
+  std::map<std::string, bool> unicode_fonts;  // by the names under which they were found
   bool system_charset = false;  // POV-Ray on Unix stops at the first string then
   bool gamma_known = false;
   std::shared_ptr<FieldSettings> field_settings = std::make_shared<FieldSettings>();

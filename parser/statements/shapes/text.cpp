@@ -22,22 +22,26 @@ const char* internal_font_file(int number) {
 
 ShapeNode parse_text(Parser& parser) {
   TextNode node;
-  node.unicode = parser.is_utf8();
+  std::string font_name;
   if (parser.accept(Keyword::ttf)) {
-    const std::string name = parser.parse_path_string();
-    node.font = parser.find_file(name, FileType::font);
+    font_name = parser.parse_path_string();
+    node.font = parser.find_file(font_name, FileType::font);
     if (node.font.empty()) {
-      node.font = replacement_font(name);
-      if (node.font.empty()) parser.error("the font '" + name + "' is not found, nor any other font");
-      parser.warning("the font '" + name + "' is not found; '" + node.font + "' is used for it");
+      node.font = replacement_font(font_name);
+      if (node.font.empty()) {
+        parser.error("the font '" + font_name + "' is not found, nor any other font");
+      }
+      parser.warning("the font '" + font_name + "' is not found; '" + node.font +
+                     "' is used for it");
     }
   } else if (parser.accept(Keyword::internal)) {
-    const char* name = internal_font_file(parser.parse_int());
-    node.font = parser.find_file(name, FileType::font);
-    if (node.font.empty()) parser.error(std::string("the internal font '") + name + "' is not found");
+    font_name = internal_font_file(parser.parse_int());
+    node.font = parser.find_file(font_name, FileType::font);
+    if (node.font.empty()) parser.error("the internal font '" + font_name + "' is not found");
   } else {
     parser.error_expected("ttf or internal");
   }
+  node.unicode = parser.font_is_unicode(font_name, node.font);
   try {
     check_font(node.font);
   } catch (const std::runtime_error& failure) {
