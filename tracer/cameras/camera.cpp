@@ -26,6 +26,7 @@ Camera::Camera(const CameraNode& node, int width, int height, const TextureSetti
     : node_(node),
       width_(width),
       height_(height),
+      is_plain_(node.kind == CameraKind::perspective && !node.normal),
       direction_(unit_or_zero(node.direction)),
       right_(unit_or_zero(node.right)),
       up_(unit_or_zero(node.up)),
@@ -58,6 +59,11 @@ int Camera::rays_per_pixel() const {
 }
 
 bool Camera::generate_ray(double x, double y, int ray_of_pixel, Ray& ray) const {
+  if (is_plain_) [[likely]] {
+    ray = {node_.location,
+           unit_or_zero(perspective(share_of_width(x) - 0.5, share_of_height(y) - 0.5))};
+    return true;
+  }
   View view;
   if (!view_of(x, y, ray_of_pixel, view)) return false;
   ray = {view.origin, finished_direction(view.direction, view.place)};
@@ -118,13 +124,12 @@ bool Camera::view_of_omnimax(double a, double b, View& view) const {
 }
 
 bool Camera::view_of(double x, double y, int ray_of_pixel, View& view) const {
-  // Rounded as POV-Ray's: surfaces that coincide and fractals depend on a ray's last bits.
-  const double u = x / width_, v = (height_ - y) / height_;
+  const double u = share_of_width(x), v = share_of_height(y);
   const double a = u - 0.5, b = v - 0.5;
   view.origin = node_.location;
   switch (node_.kind) {
     case CameraKind::perspective:
-      view.direction = node_.direction + a * node_.right + b * node_.up;
+      view.direction = perspective(a, b);
       view.place = {a, b};
       break;
     case CameraKind::orthographic:

@@ -36,12 +36,20 @@ class Camera {
     Vec2 place{0};
   };
   bool view_of(double x, double y, int ray_of_pixel, View& view) const;
+  // Shares of the picture from its left and bottom edge. Rounded as POV-Ray's: surfaces that coincide
+  // and fractals depend on a ray's last bits.
+  double share_of_width(double x) const { return x / width_; }
+  double share_of_height(double y) const { return (height_ - y) / height_; }
+  Vec3 perspective(double a, double b) const {
+    return node_.direction + a * node_.right + b * node_.up;
+  }
   bool view_of_fisheye(double a, double b, View& view) const;
   bool view_of_omnimax(double a, double b, View& view) const;
   Vec3 finished_direction(const Vec3& direction, const Vec2& place) const;
 
   CameraNode node_;
   double width_, height_;
+  bool is_plain_;  // a perspective without a normal
   Vec3 direction_, right_, up_;  // unit vectors of direction, right, up
   double right_length_, up_length_;
   double angle_;               // radians

@@ -291,7 +291,7 @@ struct LobeShares {
   float highlight = 0;
 };
 
-LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, const Vec3& normal,
+[[gnu::always_inline]] inline LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, const Vec3& normal,
                        const Vec3& to_light, float diffuse, float opacity, bool highlights) {
   const FinishNode& finish = *layer.finish;
   LobeShares shares;
