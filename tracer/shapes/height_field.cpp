@@ -4,7 +4,9 @@
 // the vertices have whole coordinates; the object's transforms are taken into the shape, as smooth
 // normals are mixed after they have been moved.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <vector>
 
 #include "tracer/math/min_max.h"
 #include "tracer/shapes/box_crossing.h"
@@ -143,10 +145,68 @@ class Walk {
   Sink& sink_;
 };
 
+// The normals of a smooth height field's vertices, each worked out when it is first asked for. Threads that
+// ask at once find the same.
+class VertexNormals {
+ public:
+  explicit VertexNormals(std::shared_ptr<const HeightGrid> grid)
+      : grid_(std::move(grid)),
+        known_(static_cast<size_t>(grid_->columns()) * static_cast<size_t>(grid_->rows())) {}
+
+  // In steps of 1/32767.
+  Vec3 at(int x, int z) const {
+    std::atomic<uint64_t>& known =
+        known_[static_cast<size_t>(z) * static_cast<size_t>(grid_->columns()) +
+               static_cast<size_t>(x)];
+    uint64_t packed = known.load(std::memory_order_relaxed);
+    if (!packed) {
+      packed = kIsKnown;
+      const Vec3 normal = mean_of_triangles(x, z);
+      for (int axis = 0; axis < 3; ++axis) {
+        packed |= uint64_t{static_cast<uint16_t>(static_cast<int16_t>(normal[axis]))} << 16 * axis;
+      }
+      known.store(packed, std::memory_order_relaxed);
+    }
+    const auto component = [&](int axis) {
+      return static_cast<double>(static_cast<int16_t>(packed >> 16 * axis));
+    };
+    return {component(0), component(1), component(2)};
+  }
+
+ private:
+  static constexpr uint64_t kIsKnown = uint64_t{1} << 48;
+
+  // Of those that a vertex spans with its neighbours along the axes.
+  Vec3 mean_of_triangles(int x, int z) const {
+    const bool left = x > 0, right = x < grid_->columns() - 1;
+    const bool below = z > 0, above = z < grid_->rows() - 1;
+    const double h = grid_->height(x, z);
+    const double to_left = left ? grid_->height(x - 1, z) - h : 0;
+    const double to_right = right ? h - grid_->height(x + 1, z) : 0;
+    const double to_below = below ? grid_->height(x, z - 1) - h : 0;
+    const double to_above = above ? h - grid_->height(x, z + 1) : 0;
+    Vec3 sum(0);
+    const auto add = [&](double nx, double nz) {
+      const Vec3 n(nx, 1, nz);
+      sum += n / length(n);
+    };
+    if (right && above) add(to_right, to_above);
+    if (left && above) add(to_left, to_above);
+    if (left && below) add(to_left, to_below);
+    if (right && below) add(to_right, to_below);
+    sum /= length(sum);
+    return glm::trunc(32767.0 * sum);
+  }
+
+  std::shared_ptr<const HeightGrid> grid_;
+  mutable std::vector<std::atomic<uint64_t>> known_;  // 0: not yet
+};
+
 class HeightField final : public Shape {
  public:
   HeightField(std::shared_ptr<const HeightGrid> grid, double water_level, bool smooth)
-      : grid_(std::move(grid)), smooth_(smooth) {
+      : grid_(std::move(grid)) {
+    if (smooth) normals_ = std::make_shared<const VertexNormals>(grid_);
     const double width = grid_->columns() - 1, depth = grid_->rows() - 1;
     low_ = {0, std::max<double>(grid_->least(), 65536 * water_level) - kBoxMargin, 0};
     high_ = {width, grid_->greatest() + kBoxMargin, depth};
@@ -210,7 +270,7 @@ class HeightField final : public Shape {
   Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const override {
     const int cell = static_cast<int>(hit.part / 2);
     const int x = cell % grid_->columns(), z = cell / grid_->columns();
-    if (!smooth_) {
+    if (!normals_) {
       const double h2 = grid_->height(x + 1, z), h3 = grid_->height(x, z + 1);
       if (hit.part % 2) {
         const double h4 = grid_->height(x + 1, z + 1);
@@ -222,7 +282,7 @@ class HeightField final : public Shape {
     const Vec3 p = placed_.inverse_point(world_point);
     const double s = p.x - x, t = p.z - z;
     const auto corner = [&](int i, int j) {
-      return normalize_or_zero(placed_.normal(vertex_normal(x + i, z + j)));
+      return normalize_or_zero(placed_.normal(normals_->at(x + i, z + j)));
     };
     return (1 - t) * ((1 - s) * corner(0, 0) + s * corner(1, 0)) +
            t * ((1 - s) * corner(0, 1) + s * corner(1, 1));
@@ -248,31 +308,8 @@ class HeightField final : public Shape {
     Walk<Sink>(*grid_, {local.origin, local.direction}, from, to, sink).run();
   }
 
-  // Mean of the triangles that a vertex spans with its neighbours along the axes, in steps of
-  // 1/32767.
-  Vec3 vertex_normal(int x, int z) const {
-    const bool left = x > 0, right = x < grid_->columns() - 1;
-    const bool below = z > 0, above = z < grid_->rows() - 1;
-    const double h = grid_->height(x, z);
-    const double to_left = left ? grid_->height(x - 1, z) - h : 0;
-    const double to_right = right ? h - grid_->height(x + 1, z) : 0;
-    const double to_below = below ? grid_->height(x, z - 1) - h : 0;
-    const double to_above = above ? h - grid_->height(x, z + 1) : 0;
-    Vec3 sum(0);
-    const auto add = [&](double nx, double nz) {
-      const Vec3 n(nx, 1, nz);
-      sum += n / length(n);
-    };
-    if (right && above) add(to_right, to_above);
-    if (left && above) add(to_left, to_above);
-    if (left && below) add(to_left, to_below);
-    if (right && below) add(to_right, to_below);
-    sum /= length(sum);
-    return glm::trunc(32767.0 * sum);
-  }
-
   std::shared_ptr<const HeightGrid> grid_;
-  bool smooth_;
+  std::shared_ptr<const VertexNormals> normals_;  // null: not smooth
   Vec3 low_, high_;
   Transform placed_;  // from grid space
 };
