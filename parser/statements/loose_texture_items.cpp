@@ -154,18 +154,28 @@ void LooseTextureItems::accept_list(PigmentNode& pigment) {
   pigment.maps = PigmentMaps{.color_map = std::move(map)};
 }
 
+NormalNode& LooseTextureItems::edit_normal(TexturePtr& texture) {
+  if (!owns_normal_) {
+    auto copy = std::make_shared<TextureNode>(*texture);
+    copy->normal = nullptr;
+    texture = std::move(copy);
+    owns_normal_ = true;
+  }
+  return edit(texture, &TextureNode::normal);
+}
+
 bool LooseTextureItems::accept_normal_item(TexturePtr& texture) {
   if (parser_.peek().kind != TokenKind::keyword) return false;
   if (const PatternKind kind = loose_bumps(parser_.peek().keyword); kind != K::none) {
     warn("normal");
     parser_.next();
     const float amount = static_cast<float>(parser_.parse_float());
-    NormalNode& normal = edit(texture, &TextureNode::normal);
+    NormalNode& normal = edit_normal(texture);
     normal.pattern.edit().kind = kind;
     normal.bump_size = amount;
   } else if (parser_.accept(Keyword::bump_map)) {
     warn("normal");
-    NormalNode& normal = edit(texture, &TextureNode::normal);
+    NormalNode& normal = edit_normal(texture);
     PatternNode& pattern = normal.pattern.edit();
     pattern.kind = K::bump_map;
     pattern.frequency = 0;
@@ -176,12 +186,12 @@ bool LooseTextureItems::accept_normal_item(TexturePtr& texture) {
   } else if (parser_.accept(Keyword::frequency)) {
     warn("normal");
     const float frequency = static_cast<float>(parser_.parse_float());
-    edit(texture, &TextureNode::normal).pattern.edit().frequency = frequency;
+    edit_normal(texture).pattern.edit().frequency = frequency;
     changed_waves_ = true;
   } else if (parser_.accept(Keyword::phase)) {
     warn("normal");
     const float phase = static_cast<float>(parser_.parse_float());
-    edit(texture, &TextureNode::normal).pattern.edit().phase = phase;
+    edit_normal(texture).pattern.edit().phase = phase;
     changed_waves_ = true;
   } else {
     return false;

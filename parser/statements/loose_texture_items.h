@@ -14,7 +14,9 @@ class Parser;
 
 class LooseTextureItems {
  public:
-  explicit LooseTextureItems(Parser& parser) : parser_(parser) {}
+  // `start`: the texture before its first item.
+  LooseTextureItems(Parser& parser, const TextureNode& start)
+      : parser_(parser), owns_normal_(start.normal != nullptr) {}
 
   // If such an item comes next: reads it and changes the texture.
   bool accept(TexturePtr& texture);
@@ -27,10 +29,14 @@ class LooseTextureItems {
   bool accept_finish_item(TexturePtr& texture);
   bool accept_pattern(PigmentNode& pigment);
   void accept_list(PigmentNode& pigment);
+  // The normal that loose items change. If only a normal{} has given one, they do not see it: povray 3.7
+  // starts a new one then.
+  NormalNode& edit_normal(TexturePtr& texture);
   // Until language 1.5 povray names the statement that the word belongs into.
   void warn(const char* statement);
 
   Parser& parser_;
+  bool owns_normal_;
   bool changed_waves_ = false;  // frequency or phase
 };
 

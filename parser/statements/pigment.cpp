@@ -38,8 +38,6 @@ class PigmentReader {
     if (node_.pattern->kind == PatternKind::average && !node_.maps->pigment_map) {
       parser_.error("average needs a map");
     }
-    // A solid colour looks the same everywhere.
-    if (node_.pattern->kind == PatternKind::none) node_.pattern = {};
   }
 
   void set_started_from_identifier() { started_from_identifier_ = true; }
@@ -62,7 +60,8 @@ class PigmentReader {
   void read_start() {
     if (parser_.at_color_start()) {
       node_.color = parser_.parse_color();
-      node_.pattern = {};
+      // What the pattern has besides its kind waits for a pattern that a later pigment{} may give.
+      if (node_.pattern->kind != PatternKind::none) node_.pattern.edit().kind = PatternKind::none;
       node_.is_unspecified = false;
       return;
     }

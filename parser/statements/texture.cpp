@@ -86,7 +86,7 @@ class TextureReader {
 
   // Before language 3.0 there were no texture_maps yet, and words of all parts could stand here.
   TexturePtr read_with_loose_items(bool any) {
-    LooseTextureItems loose(parser_);
+    LooseTextureItems loose(parser_, *texture_);
     while (accept_part() || accept_transform() || loose.accept(texture_)) any = true;
     if (!any && parser_.at_any({Keyword::tiles, Keyword::material_map})) {
       read_patterned();

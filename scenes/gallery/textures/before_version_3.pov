@@ -17,3 +17,6 @@ object { Ball texture { ripples 0.6 frequency 12 scale 0.4 gradient <0, 1, 0> co
 object { Ball texture { color Warm reflection 0.3 brilliance 2 metallic } texture { bozo color_map { [0 0.5 color red 1 green 1 blue 1 alpha 1 color red 1 green 1 blue 1 alpha 1] [0.5 1.001 color blue 0.6 color green 0.5] } scale 0.3 } translate <-1.1, -0.8, 0> }
 object { Ball texture { tiles { texture { hexagon color red 0.8 color Warm color blue 0.6 } tile2 texture { color green 0.5 dents 0.9 scale 0.2 } } scale 0.7 } translate <1.1, -0.8, 0> }
 object { Ball texture { color red 0.9 green 1 blue 0.9 alpha 0.9 ambient 0 diffuse 0.1 refraction 1 ior 1.4 phong 1 } translate <3.3, -0.8, 0> }
+object { Ball texture { color Warm normal { dents 0.9 scale 0.5 } waves 0.5 scale 0.3 } scale 0.5 translate <-2.2, 0.3, -2> }
+object { Ball texture { Shiny normal { wrinkles 0.5 scale 0.5 } bumps 0.6 } scale 0.5 translate <0, 0.3, -2> }
+object { Ball texture { pigment { color Warm scale 0.4 } gradient <0, 1, 0> color_map { Bands } } scale 0.5 translate <2.2, 0.3, -2> }
