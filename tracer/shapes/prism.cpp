@@ -10,6 +10,7 @@ namespace durer {
 namespace {
 
 constexpr double kSame = 1e-10;
+constexpr double kSureSide = 1e-7;
 
 bool same_point(const Vec2& a, const Vec2& b) {
   return std::abs(a.x - b.x) < kSame && std::abs(a.y - b.y) < kSame;
@@ -86,7 +87,8 @@ class Prism final : public Shape {
       cap(p, d, bottom_, scale, out);
     }
     if (std::abs(d.x) < kGeometryEpsilon && std::abs(d.z) < kGeometryEpsilon) return;
-    for_each_met(d.z, -d.x, d.x * p.z - d.z * p.x, [&](const CurveSegment& s, size_t i) {
+    const Rectangle way = way_between_caps(p, d);
+    for_each_met(d.z, -d.x, d.x * p.z - d.z * p.x, way, [&](const CurveSegment& s, size_t i) {
       double w[3];
       const int count = solve_line(s, d.z, -d.x, d.x * p.z - d.z * p.x, w);
       for (int k = 0; k < count; ++k) {
@@ -107,7 +109,7 @@ class Prism final : public Shape {
     // Rays along the axis meet the caps only, as in POV-Ray.
     if (std::abs(d.x) < kGeometryEpsilon && std::abs(d.z) < kGeometryEpsilon) return;
     const double k1 = p.z * d.y - p.y * d.z, k2 = p.y * d.x - p.x * d.y, k3 = p.x * d.z - p.z * d.x;
-    for_each_met(k1, k2, k3, [&](const CurveSegment& s, size_t i) {
+    for_each_met(k1, k2, k3, Rectangle(), [&](const CurveSegment& s, size_t i) {
       double w[3];
       const int count = solve_line(s, k1, k2, k3, w);
       for (int k = 0; k < count; ++k) {
@@ -127,15 +129,37 @@ class Prism final : public Shape {
     });
   }
 
-  // visit(segment, number) for those whose rectangles the line x k1 + z k2 + k3 = 0 of the plane
-  // touches, in order.
+  struct Rectangle {
+    Vec2 min{-HUGE_VAL}, max{HUGE_VAL};
+
+    bool overlaps(const Vec2& low, const Vec2& high) const {
+      return low.x <= max.x && high.x >= min.x && low.y <= max.y && high.y >= min.y;
+    }
+  };
+  // Where the sides may be met, a little more: hits beyond are not pushed.
+  Rectangle way_between_caps(const Vec3& p, const Vec3& d) const {
+    // Of rays along an axis the depths are found less exactly.
+    const bool is_exact = std::abs(d.x) > 1e-4 && std::abs(d.y) > 1e-4;
+    if (!is_exact) return {};
+    const double a = (bottom_ - p.y) / d.y, b = (top_ - p.y) / d.y;
+    const double from = std::max(0.0, std::min(a, b)), to = std::max(0.0, std::max(a, b));
+    const Vec2 start(p.x + from * d.x, p.z + from * d.z), end(p.x + to * d.x, p.z + to * d.z);
+    const Vec2 slack = 1e-6 * (1.0 + glm::abs(start) + glm::abs(end) + Vec2(to));
+    return {glm::min(start, end) - slack, glm::max(start, end) + slack};
+  }
+
+  // visit(segment, number) for those whose rectangles touch the line x k1 + z k2 + k3 = 0 of the plane,
+  // and the way, in order.
   template <typename Visit>
-  void for_each_met(double k1, double k2, double k3, Visit&& visit) const {
+  void for_each_met(double k1, double k2, double k3, const Rectangle& way, Visit&& visit) const {
+    const auto is_met = [&](const Vec2& min, const Vec2& max) {
+      return way.overlaps(min, max) && line_meets_box(min, max, k1, k2, k3);
+    };
     for (const CurveRun& run : runs_) {
-      if (!line_meets_box(run.min, run.max, k1, k2, k3)) continue;
+      if (!is_met(run.min, run.max)) continue;
       for (size_t i = run.first; i < run.end; ++i) {
         const CurveSegment& s = segments_[i];
-        if (line_meets_box(s.min, s.max, k1, k2, k3)) visit(s, i);
+        if (is_met(s.min, s.max)) visit(s, i);
       }
     }
   }
@@ -170,6 +194,15 @@ class Prism final : public Shape {
       for (size_t k = run.first; k < run.end; ++k) {
         const CurveSegment& s = segments_[k];
         if (is_passed(s.min, s.max)) continue;
+        if (x < s.min.x) {
+          // All crossings count: they are odd in number if the ends lie on two sides.
+          const double before = s.constant.y - z;
+          const double after = before + s.linear.y + s.square.y + s.cubic.y;
+          if (std::min(std::abs(before), std::abs(after)) > kSureSide) {
+            inside ^= (before < 0) != (after < 0);
+            continue;
+          }
+        }
         double w[3];
         for (int i = solve_coordinate(s, degree_, 1, z, sturm_, w); i-- > 0;)
           if (s.point(w[i]).x >= x) inside = !inside;
