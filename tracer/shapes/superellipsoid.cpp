@@ -10,6 +10,10 @@ namespace {
 
 constexpr double kHalfCube = 1.01;
 constexpr int kMostSteps = 20;
+constexpr int kMostChords = 8;  // before midpoints are tried, too
+constexpr int kMostSamples = 16;
+// A bound above this much is no rounding error; samples nearer to each other tell nothing of a slope.
+constexpr double kSureValue = 1e-6, kLeastSpacing = 1e-6;
 
 // (a^E + b^E)^(1/E) without overflow.
 double combine(double a, double b, double exponent) {
@@ -21,7 +25,8 @@ double combine(double a, double b, double exponent) {
 
 class Superellipsoid final : public Shape {
  public:
-  explicit Superellipsoid(const Vec2& exponents) : e_(2 / exponents.x), n_(2 / exponents.y) {}
+  explicit Superellipsoid(const Vec2& exponents)
+      : e_(2 / exponents.x), n_(2 / exponents.y), is_convex_(e_ >= 1 && n_ >= 1) {}
 
   Bounds bounds() const override { return {Vec3(-1.0001), Vec3(1.0001)}; }
 
@@ -30,12 +35,16 @@ class Superellipsoid final : public Shape {
     const Vec3 p = ray.origin, d = ray.direction * scale;
     double entry, exit;
     if (!clip_to_cube(p, d, entry, exit)) return;
-    double samples[16];
-    const int count = sample_distances(p, d, entry, exit, samples);
-    double left = samples[0], f_left = value(p + left * d);
+    Samples samples;
+    sample_distances(p, d, entry, exit, samples);
+    const auto sample = [&](int i) {
+      if (i == samples.known) samples.f[samples.known++] = value(p + samples.t[i] * d);
+      return samples.f[i];
+    };
+    double left = samples.t[0], f_left = sample(0);
     if (std::abs(f_left) < kGeometryEpsilon && push(left * scale, out) && !ray.csg_child) return;
-    for (int i = 1; i < count; ++i) {
-      const double right = samples[i], f_right = value(p + right * d);
+    for (int i = 1; i < samples.count; ++i) {
+      const double right = samples.t[i], f_right = sample(i);
       if (std::abs(f_right) < kGeometryEpsilon) {
         if (push(right * scale, out) && !ray.csg_child) return;
       } else {
@@ -45,7 +54,9 @@ class Superellipsoid final : public Shape {
           t = find_root(p, d, left, f_left, right, f_right);
           found = true;
         } else {
-          found = approach(p, d, left, f_left, right, t);
+          if (is_convex_ && i + 1 < samples.count) sample(i + 1);
+          found = !(is_convex_ && stays_outside(samples, i)) &&
+                  approach(p, d, left, f_left, right, t);
         }
         if (found && push(t * scale, out) && !ray.csg_child) return;
       }
@@ -76,6 +87,13 @@ class Superellipsoid final : public Shape {
   }
 
  private:
+  // Depths on a ray, ascending, and the values there, as far as they are known.
+  struct Samples {
+    int count = 0, known = 0;
+    double t[kMostSamples], f[kMostSamples];
+  };
+
+  // A norm, less 1: convex where both exponents are at least 1.
   double value(const Vec3& p) const {
     return combine(combine(std::abs(p.x), std::abs(p.y), e_), std::abs(p.z), n_) - 1;
   }
@@ -104,48 +122,56 @@ class Superellipsoid final : public Shape {
   }
 
   // Entry, exit and the crossings of the planes where the surface may be sharp, ascending.
-  static int sample_distances(const Vec3& p, const Vec3& d, double entry, double exit,
-                              double* samples) {
+  static void sample_distances(const Vec3& p, const Vec3& d, double entry, double exit,
+                               Samples& samples) {
     static constexpr double kPlanes[9][3] = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1},
                                              {0, 1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    int count = 0;
-    samples[count++] = entry;
-    samples[count++] = exit;
+    samples.t[samples.count++] = entry;
+    samples.t[samples.count++] = exit;
     const double slack = kGeometryEpsilon * (exit - entry);
     for (const auto& plane : kPlanes) {
       const Vec3 n(plane[0], plane[1], plane[2]);
       const double along = dot(n, d);
       if (std::abs(along) < kGeometryEpsilon) continue;
       const double t = -dot(n, p) / along;
-      if (t >= entry - slack && t <= exit + slack) samples[count++] = t;
+      if (t >= entry - slack && t <= exit + slack) samples.t[samples.count++] = t;
     }
-    std::sort(samples, samples + count);
-    return count;
+    std::sort(samples.t, samples.t + samples.count);
   }
 
-  // Chord and midpoint by turns; 20 rounds.
+  // Between samples i - 1 and i, both outside: a convex function lies above the chords beside it.
+  static bool stays_outside(const Samples& samples, int i) {
+    const double *t = samples.t, *f = samples.f;
+    if (!(f[i - 1] > kSureValue && f[i] > kSureValue)) return false;
+    // The chord from `far` to `near`, drawn on to the other end.
+    const auto is_above = [&](int far, int near, int end) {
+      const double spacing = t[near] - t[far];
+      return std::abs(spacing) > kLeastSpacing &&
+             f[near] + (f[near] - f[far]) * (t[end] - t[near]) / spacing > kSureValue;
+    };
+    return (i >= 2 && is_above(i - 2, i - 1, i)) ||
+           (i + 1 < samples.count && is_above(i + 1, i, i - 1));
+  }
+
+  // Of a zero between two values of different signs: chords with Anderson's and Björck's weights (1973,
+  // "A new high order method of regula falsi type"), after some also midpoints. POV-Ray's zeros lie
+  // within the same limit.
   double find_root(const Vec3& p, const Vec3& d, double a, double fa, double b, double fb) const {
-    for (int i = 0; i < kMostSteps; ++i) {
-      if (std::abs(fa) < kGeometryEpsilon) return a;
-      if (std::abs(fb) < kGeometryEpsilon) return b;
-      double chord = a - fa * (b - a) / (fb - fa), middle = 0.5 * (a + b);
-      double f_chord = value(p + chord * d), f_middle = value(p + middle * d);
-      if (f_chord * f_middle < 0) {
-        if (f_chord * fa > 0) {
-          a = chord, fa = f_chord, b = middle, fb = f_middle;
-        } else {
-          a = middle, fa = f_middle, b = chord, fb = f_chord;
-        }
-      } else {
-        if (std::abs(f_middle) < std::abs(f_chord)) chord = middle, f_chord = f_middle;
-        if (f_chord * fa > 0) {
-          a = chord, fa = f_chord;
-        } else {
-          b = chord, fb = f_chord;
-        }
+    if (std::abs(fa) < kGeometryEpsilon) return a;
+    for (int i = 0; i < 2 * kMostSteps; ++i) {
+      const bool halves = i >= kMostChords && i % 2;
+      const double c = halves ? 0.5 * (a + b) : b - fb * (b - a) / (fb - fa);
+      const double fc = value(p + c * d);
+      if (std::abs(fc) < kGeometryEpsilon) return c;
+      if ((fc < 0) != (fb < 0)) {
+        a = b, fa = fb;
+      } else if (!halves) {
+        const double weight = 1 - fc / fb;
+        fa *= weight > 0 ? weight : 0.5;
       }
+      b = c, fb = fc;
     }
-    return std::abs(fa) < std::abs(fb) ? a : b;
+    return b;
   }
 
   // Both ends have the same sign: secant steps towards a zero between them.
@@ -176,6 +202,7 @@ class Superellipsoid final : public Shape {
   }
 
   double e_, n_;
+  bool is_convex_;
 };
 
 }  // namespace
