@@ -157,7 +157,7 @@ void LooseTextureItems::accept_list(PigmentNode& pigment) {
 NormalNode& LooseTextureItems::edit_normal(TexturePtr& texture) {
   if (!owns_normal_) {
     auto copy = std::make_shared<TextureNode>(*texture);
-    copy->normal = nullptr;
+    copy->normal = default_texture(parser_)->normal;
     texture = std::move(copy);
     owns_normal_ = true;
   }

@@ -30,7 +30,7 @@ class LooseTextureItems {
   bool accept_pattern(PigmentNode& pigment);
   void accept_list(PigmentNode& pigment);
   // The normal that loose items change. If only a normal{} has given one, they do not see it: povray 3.7
-  // starts a new one then.
+  // starts from the default's then.
   NormalNode& edit_normal(TexturePtr& texture);
   // Until language 1.5 povray names the statement that the word belongs into.
   void warn(const char* statement);

@@ -58,6 +58,12 @@ std::shared_ptr<const PigmentNode> with_filter_as_transmit(
   return copy;
 }
 
+// A texture without a normal gets one that starts from the default's, like a pigment or a finish.
+std::shared_ptr<const NormalNode> parse_normal_of(Parser& parser, const TextureNode& texture) {
+  return parse_normal(parser,
+                      texture.normal ? texture.normal : default_texture(parser)->normal);
+}
+
 class TextureReader {
  public:
   explicit TextureReader(Parser& parser) : parser_(parser) {}
@@ -124,7 +130,7 @@ class TextureReader {
       auto pigment = parse_pigment(parser_, texture_->pigment);
       edit().pigment = std::move(pigment);
     } else if (parser_.accept(Keyword::normal)) {
-      auto normal = parse_normal(parser_, texture_->normal);
+      auto normal = parse_normal_of(parser_, *texture_);
       edit().normal = std::move(normal);
     } else if (parser_.accept(Keyword::finish)) {
       auto finish = parse_finish(parser_, texture_->finish);
@@ -298,7 +304,7 @@ TexturePtr parse_texture_part(Parser& parser, Keyword part, const TexturePtr& st
   if (part == Keyword::pigment) {
     texture->pigment = parse_pigment(parser, texture->pigment);
   } else if (part == Keyword::normal) {
-    texture->normal = parse_normal(parser, texture->normal);
+    texture->normal = parse_normal_of(parser, *texture);
   } else {
     texture->finish = parse_finish(parser, texture->finish);
   }
