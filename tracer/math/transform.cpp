@@ -67,14 +67,14 @@ Transform Transform::axis_rotation(const Vec3& unit_axis, double radians) {
   return from_orthonormal(m);
 }
 
-Transform Transform::from_z_axis(const Vec3& base, const Vec3& unit_axis) {
+Transform Transform::rotation_from_z(const Vec3& unit_axis) {
   // The rotation axis is z × axis; for axes along ±z any perpendicular will do.
   Vec3 about(1, 0, 0);
   if (1.0 - std::abs(unit_axis.z) >= 1e-12) {
-    about = normalize_or_zero({-unit_axis.y, unit_axis.x, 0});
+    about = unit_or_zero({-unit_axis.y, unit_axis.x, 0});
   }
   const double cosine = unit_axis.z > 1 ? 1 : (unit_axis.z < -1 ? -1 : unit_axis.z);
-  return axis_rotation(about, std::acos(cosine)).then(translation(base));
+  return axis_rotation(about, std::acos(cosine));
 }
 
 bool Transform::from_matrix(const Matrix& m, Transform& result) {

@@ -41,8 +41,8 @@ struct Transform {
   static Transform rotation(const Vec3& degrees);
   // About a unit axis by an angle in radians (spec/language.md 22.3).
   static Transform axis_rotation(const Vec3& unit_axis, double radians);
-  // Takes z to the given unit axis and the origin to base (used by cylinders, cones, discs).
-  static Transform from_z_axis(const Vec3& base, const Vec3& unit_axis);
+  // Takes z to the given unit axis (used by cylinders, cones, discs).
+  static Transform rotation_from_z(const Vec3& unit_axis);
   // Inverse by cofactors. False when the matrix is singular (result is then left alone).
   static bool from_matrix(const Matrix& matrix, Transform& result);
 

@@ -175,13 +175,20 @@ void DirectLight::filter_shadow(int index, const Vec3& point, const LightDirecti
                            scene_.options.quality >= 9 && scene_.atmosphere.has_fog();
   for (;;) {
     Hit hit;
-    // Nothing nearer than the tolerance counts, at either end.
-    const Vec3 start = origin + kShadowStart * to_light.direction;
-    if (!world.closest_clear_hit(start, to_light.direction, remaining - margin - kShadowStart,
-                                 hit)) {
-      break;
+    if (!world.closest_clear_hit(origin, to_light.direction, remaining - margin, hit)) break;
+    // Nothing nearer than the tolerance counts, at either end. What lies beyond something nearer is
+    // found from a point behind that; not in any case, since faces that coincide are told apart by
+    // the last bits of the ray.
+    Vec3 start = origin;
+    double skipped = 0;
+    if (hit.t <= kShadowTolerance) {
+      skipped = kShadowStart;
+      start += skipped * to_light.direction;
+      if (!world.closest_clear_hit(start, to_light.direction, remaining - margin - skipped, hit)) {
+        break;
+      }
     }
-    const double depth = hit.t + kShadowStart;
+    const double depth = hit.t + skipped;
     if (depth >= remaining - kShadowTolerance || remaining - depth <= margin) break;
     SurfacePoint surface;
     world.surface_point(start, to_light.direction, hit, surface);

@@ -169,7 +169,8 @@ class Blob final : public Shape {
     }
     const Vec3 axis = c.apex - c.center;
     part.length = length(axis);
-    const Transform placed = Transform::from_z_axis(c.center, axis / part.length);
+    const Transform placed = 
+        Transform::rotation_from_z(axis / part.length).then(Transform::translation(c.center));
     part.frame = moved ? placed.then(c.transform) : placed;
     part.has_transform = true;
     if (enlarges) {

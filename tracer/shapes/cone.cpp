@@ -20,7 +20,8 @@ constexpr double kRim = 1e-6;
 PlacedShape place(std::shared_ptr<const Shape> shape, const Vec3& origin, const Vec3& unit_axis,
                   double radius, double height) {
   const Transform frame = Transform::scaling({radius, radius, height})
-                              .then(Transform::from_z_axis(origin, unit_axis));
+                              .then(Transform::rotation_from_z(unit_axis))
+                              .then(Transform::translation(origin));
   return {std::move(shape), true, frame};
 }
 
@@ -202,7 +203,7 @@ PlacedShape compile(const CylinderNode& node, const ShapeContext&) {
   const Vec3 axis = node.base - node.apex;
   const double height = length(axis);
   if (!(height >= kGeometryEpsilon)) return {};
-  return place(unit_cylinder(!node.open), node.apex, axis / height, node.radius, height);
+  return place(unit_cylinder(!node.open), node.apex, axis * (1 / height), node.radius, height);
 }
 
 PlacedShape compile(const ConeNode& node, const ShapeContext& context) {
@@ -218,7 +219,7 @@ PlacedShape compile(const ConeNode& node, const ShapeContext& context) {
   const Vec3 axis = wide - narrow;
   const double height = length(axis);
   if (!(height >= kGeometryEpsilon)) return {};
-  const Vec3 unit_axis = axis / height;
+  const Vec3 unit_axis = axis * (1 / height);
   const double below = narrow_radius * height / (wide_radius - narrow_radius);
   const double full_height = below + height;
   // Also where both radii are negative: a cylinder of the narrower one.

@@ -16,14 +16,14 @@ class Disc final : public Shape {
   }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    const double scale = 1 / length(ray.direction);
-    const Vec3 d = ray.direction * scale;
+    const double stretch = length(ray.direction);
+    const Vec3 d = ray.direction * (1 / stretch);
     if (std::abs(d.z) <= kGeometryEpsilon) return;
     const double depth = -ray.origin.z / d.z;
     if (!(depth >= 0)) return;
     const double x = ray.origin.x + depth * d.x, y = ray.origin.y + depth * d.y;
     const double rho2 = x * x + y * y;
-    const double t = depth * scale;
+    const double t = depth / stretch;
     if (rho2 <= outer2_ && rho2 >= hole2_ && t > 1e-6 && t < kGreatestDepth) out.push(t);
   }
 
@@ -39,10 +39,10 @@ class Disc final : public Shape {
 }  // namespace
 
 PlacedShape compile(const DiscNode& node, const ShapeContext&) {
-  const Vec3 normal = normalize_or_zero(node.normal);
+  const Vec3 normal = unit_or_zero(node.normal);
   if (normal == Vec3(0)) return {};
   return {std::make_shared<Disc>(node.radius, node.hole_radius), true,
-          Transform::from_z_axis(node.center, normal)};
+          Transform::rotation_from_z(normal).then(Transform::translation(node.center))};
 }
 
 }  // namespace durer

@@ -42,12 +42,12 @@ class Prism final : public Shape {
   }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    const double scale = 1 / length(ray.direction);
-    const Vec3 d = ray.direction * scale;
+    const double stretch = length(ray.direction);
+    const Vec3 d = ray.direction * (1 / stretch);
     if (conic_) {
-      conic_hits(ray.origin, d, scale, out);
+      conic_hits(ray.origin, d, stretch, out);
     } else {
-      linear_hits(ray.origin, d, scale, out);
+      linear_hits(ray.origin, d, stretch, out);
     }
   }
 
@@ -66,52 +66,52 @@ class Prism final : public Shape {
   }
 
  private:
-  void push(double t, double scale, size_t part, double w, HitStack& out) const {
-    if (t * scale > 1e-4 && t * scale < kGreatestDepth)
-      out.push_with_parameter(t * scale, static_cast<uint32_t>(part), w);
+  void push(double local_t, double stretch, size_t part, double w, HitStack& out) const {
+    const double t = local_t / stretch;
+    if (t > 1e-4 && t < kGreatestDepth) out.push_with_parameter(t, static_cast<uint32_t>(part), w);
   }
 
-  void cap(const Vec3& p, const Vec3& d, double height, double scale, HitStack& out) const {
+  void cap(const Vec3& p, const Vec3& d, double height, double stretch, HitStack& out) const {
     const double t = (height - p.y) / d.y;
     if (!(t > 1e-4 && t < kGreatestDepth)) return;
     const double size = conic_ ? 1 / height : 1;
     if (covers((p.x + t * d.x) * size, (p.z + t * d.z) * size))
-      push(t, scale, segments_.size(), 0, out);
+      push(t, stretch, segments_.size(), 0, out);
   }
 
-  void linear_hits(const Vec3& p, const Vec3& d, double scale, HitStack& out) const {
+  void linear_hits(const Vec3& p, const Vec3& d, double stretch, HitStack& out) const {
     const bool level = std::abs(d.y) < kGeometryEpsilon;
     if (level && (p.y < bottom_ || p.y > top_)) return;
     if (!open_ && !level) {
-      cap(p, d, top_, scale, out);
-      cap(p, d, bottom_, scale, out);
+      cap(p, d, top_, stretch, out);
+      cap(p, d, bottom_, stretch, out);
     }
     if (std::abs(d.x) < kGeometryEpsilon && std::abs(d.z) < kGeometryEpsilon) return;
     const Rectangle way = way_between_caps(p, d);
     for_each_met(d.z, -d.x, d.x * p.z - d.z * p.x, way, [&](const CurveSegment& s, size_t i) {
       double w[3];
-      const int count = solve_line(s, d.z, -d.x, d.x * p.z - d.z * p.x, w);
+      const int count = solve_line(s, d.z, -d.x, s.constant - Vec2(p.x, p.z), 0, w);
       for (int k = 0; k < count; ++k) {
         if (w[k] < 0 || w[k] > 1) continue;
         const Vec2 at = s.point(w[k]);
         const double t = std::abs(d.x) > kGeometryEpsilon ? (at.x - p.x) / d.x : (at.y - p.z) / d.z;
         const double y = p.y + t * d.y;
-        if (y >= bottom_ && y <= top_) push(t, scale, i, w[k], out);
+        if (y >= bottom_ && y <= top_) push(t, stretch, i, w[k], out);
       }
     });
   }
 
-  void conic_hits(const Vec3& p, const Vec3& d, double scale, HitStack& out) const {
+  void conic_hits(const Vec3& p, const Vec3& d, double stretch, HitStack& out) const {
     if (!open_ && std::abs(d.y) >= kGeometryEpsilon) {
-      if (std::abs(top_) > kGeometryEpsilon) cap(p, d, top_, scale, out);
-      if (std::abs(bottom_) > kGeometryEpsilon) cap(p, d, bottom_, scale, out);
+      if (std::abs(top_) > kGeometryEpsilon) cap(p, d, top_, stretch, out);
+      if (std::abs(bottom_) > kGeometryEpsilon) cap(p, d, bottom_, stretch, out);
     }
     // Rays along the axis meet the caps only, as in POV-Ray.
     if (std::abs(d.x) < kGeometryEpsilon && std::abs(d.z) < kGeometryEpsilon) return;
     const double k1 = p.z * d.y - p.y * d.z, k2 = p.y * d.x - p.x * d.y, k3 = p.x * d.z - p.z * d.x;
     for_each_met(k1, k2, k3, Rectangle(), [&](const CurveSegment& s, size_t i) {
       double w[3];
-      const int count = solve_line(s, k1, k2, k3, w);
+      const int count = solve_line(s, k1, k2, s.constant, k3, w);
       for (int k = 0; k < count; ++k) {
         if (w[k] < 0 || w[k] > 1) continue;
         const Vec2 at = s.point(w[k]);
@@ -124,7 +124,7 @@ class Prism final : public Shape {
           continue;
         }
         const double y = p.y + t * d.y;
-        if (y >= bottom_ && y <= top_) push(t, scale, i, w[k], out);
+        if (y >= bottom_ && y <= top_) push(t, stretch, i, w[k], out);
       }
     });
   }
@@ -170,10 +170,12 @@ class Prism final : public Shape {
     return low + k3 <= slack && high + k3 >= -slack;
   }
 
-  int solve_line(const CurveSegment& s, double k1, double k2, double k3, double* w) const {
+  // Of x k1 + z k2 + k3, where `start` is the curve's first point; a linear sweep's is seen from
+  // the ray, which gives povray's last digits.
+  int solve_line(const CurveSegment& s, double k1, double k2, const Vec2& start, double k3,
+                 double* w) const {
     const double c[4] = {s.cubic.x * k1 + s.cubic.y * k2, s.square.x * k1 + s.square.y * k2,
-                         s.linear.x * k1 + s.linear.y * k2,
-                         s.constant.x * k1 + s.constant.y * k2 + k3};
+                         s.linear.x * k1 + s.linear.y * k2, start.x * k1 + start.y * k2 + k3};
     if (degree_ == 1) {
       if (std::abs(c[2]) <= kGeometryEpsilon) return 0;
       w[0] = -c[3] / c[2];

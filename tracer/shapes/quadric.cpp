@@ -49,9 +49,11 @@ int Quadric::depths(const ShapeRay& ray, double* t) const {
   const Vec3 &d = ray.direction, &o = ray.origin;
   const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
   const double a = second_order(d);
-  const double b = 0.5 * (d.x * (s.x * o.x * 2 + m.x * o.y + m.y * o.z + l.x) +
-                          d.y * (m.x * o.x + s.y * o.y * 2 + m.z * o.z + l.y) +
-                          d.z * (m.y * o.x + m.z * o.y + s.z * o.z * 2 + l.z));
+  // In povray's order, to the last bit, which decides where quadrics coincide (measured on povray
+  // 3.7).
+  const double b = d.x * (s.x * o.x + 0.5 * (m.x * o.y + m.y * o.z + l.x)) +
+                   d.y * (s.y * o.y + 0.5 * (m.x * o.x + m.z * o.z + l.y)) +
+                   d.z * (s.z * o.z + 0.5 * (m.y * o.x + m.z * o.y + l.z));
   const double c = o.x * (s.x * o.x + m.x * o.y + m.y * o.z + l.x) +
                    o.y * (s.y * o.y + m.z * o.z + l.y) + o.z * (s.z * o.z + l.z) + q_.constant;
   if (a == 0) {
@@ -116,12 +118,12 @@ Vec3 Quadric::normal(const Vec3& p, const ShapeHit&) const {
 }
 
 std::shared_ptr<const Shape> Quadric::transformed(const Transform& transform) const {
-  // Substitute p = p'·M⁻¹ into the form: Q' = M⁻¹ Q M⁻ᵀ, with Q symmetric 4×4.
-  double q[4][4] = {
-      {q_.square.x, q_.mixed.x / 2, q_.mixed.y / 2, q_.linear.x / 2},
-      {q_.mixed.x / 2, q_.square.y, q_.mixed.z / 2, q_.linear.y / 2},
-      {q_.mixed.y / 2, q_.mixed.z / 2, q_.square.z, q_.linear.z / 2},
-      {q_.linear.x / 2, q_.linear.y / 2, q_.linear.z / 2, q_.constant}};
+  // Substitute p = p'·M⁻¹ into the form: Q' = M⁻¹ Q M⁻ᵀ, with Q upper triangular: so all sums are
+  // povray's to the last bit.
+  double q[4][4] = {{q_.square.x, q_.mixed.x, q_.mixed.y, q_.linear.x},
+                    {0, q_.square.y, q_.mixed.z, q_.linear.y},
+                    {0, 0, q_.square.z, q_.linear.z},
+                    {0, 0, 0, q_.constant}};
   double m[4][4];
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 3; ++j) m[i][j] = transform.inverse.row[i][j];

@@ -17,10 +17,10 @@ class Triangle final : public Shape {
   static std::shared_ptr<const Shape> make(std::array<Vec3, 3> p, std::array<Vec3, 3> n,
                                            bool smooth) {
     auto shape = std::make_shared<Triangle>();
-    const Vec3 normal = cross(p[2] - p[0], p[1] - p[0]);
+    const Vec3 normal = cross(p[0] - p[1], p[2] - p[1]);
     const double size = length(normal);
     shape->degenerate_ = size == 0;
-    shape->normal_ = size == 0 ? normal : normal / size;
+    shape->normal_ = size == 0 ? normal : normal * (1 / size);
     projection_axes(shape->normal_, shape->a_, shape->b_);
     if (needs_exchange(p[0], p[1], p[2], shape->a_, shape->b_)) {
       std::swap(p[0], p[1]);
