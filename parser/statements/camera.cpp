@@ -312,7 +312,9 @@ std::shared_ptr<const CameraNode> parse_camera(Parser& parser,
     parser.expect_close("camera");
     return copy;
   }
-  const auto& from = start ? start : parser.default_camera;
+  // Before language 3.5 only a further #default starts from #default's camera (measured on povray 3.7).
+  const bool uses_default = parser.language_version() >= 350 || parser.in_default_block;
+  const auto from = start ? start : uses_default ? parser.default_camera : nullptr;
   auto camera = from ? std::make_shared<CameraNode>(*from) : std::make_shared<CameraNode>();
   camera->position = parser.position();
   CameraReader(parser, *camera).read();

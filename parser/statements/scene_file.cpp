@@ -90,8 +90,8 @@ void parse_scene_statements(Parser& parser) {
   }
   Scene& scene = parser.scene();
   if (!scene.camera) {
-    scene.camera =
-        parser.default_camera ? parser.default_camera : std::make_shared<const CameraNode>();
+    // The built-in one: that of #default is for camera{} statements only.
+    scene.camera = std::make_shared<const CameraNode>();
     scene.cameras.push_back(scene.camera);
   }
   scene.default_texture = default_texture(parser);
