@@ -9,6 +9,8 @@
 //   pigment { mandel 50 exterior 1, 1 interior 1, 1 color_map { [0 rgb 0] [1 rgb <1,.8,.3>] } }
 //
 // Source: spec/textures.md 7.
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -18,25 +20,55 @@
 namespace durer {
 namespace {
 
-struct Complex {
-  double re, im;
-  friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
-  friend Complex operator+(Complex a, double b) { return {a.re + b, a.im}; }
-  friend Complex operator-(Complex a, double b) { return {a.re - b, a.im}; }
-  friend Complex operator*(double s, Complex a) { return {s * a.re, s * a.im}; }
-  friend Complex operator*(Complex a, Complex b) {
+// Four numbers side by side. Chains of iterations leave a processor idle; four of them do not.
+class Four {
+ public:
+  Four(double all) : low_{all, all}, high_{all, all} {}
+  Four(double a, double b, double c, double d) : low_{a, b}, high_{c, d} {}
+
+  double operator[](int lane) const { return lane < 2 ? low_[lane] : high_[lane - 2]; }
+  friend Four operator+(const Four& a, const Four& b) { return {a.low_ + b.low_, a.high_ + b.high_}; }
+  friend Four operator-(const Four& a, const Four& b) { return {a.low_ - b.low_, a.high_ - b.high_}; }
+  friend Four operator*(const Four& a, const Four& b) { return {a.low_ * b.low_, a.high_ * b.high_}; }
+  friend Four operator/(const Four& a, const Four& b) { return {a.low_ / b.low_, a.high_ / b.high_}; }
+  // Bits of the lanes where a < b.
+  friend int operator<(const Four& a, const Four& b) {
+    return _mm_movemask_pd(_mm_cmplt_pd(a.low_, b.low_)) |
+           _mm_movemask_pd(_mm_cmplt_pd(a.high_, b.high_)) << 2;
+  }
+  friend Four smaller(const Four& a, const Four& b) {
+    return {_mm_min_pd(b.low_, a.low_), _mm_min_pd(b.high_, a.high_)};
+  }
+
+ private:
+  Four(__m128d low, __m128d high) : low_(low), high_(high) {}
+
+  __m128d low_, high_;
+};
+double smaller(double a, double b) { return std::min(a, b); }
+
+template <typename Number>
+struct ComplexOf {
+  Number re, im;
+  friend ComplexOf operator+(ComplexOf a, ComplexOf b) { return {a.re + b.re, a.im + b.im}; }
+  friend ComplexOf operator+(ComplexOf a, double b) { return {a.re + b, a.im}; }
+  friend ComplexOf operator-(ComplexOf a, double b) { return {a.re - b, a.im}; }
+  friend ComplexOf operator*(double s, ComplexOf a) { return {s * a.re, s * a.im}; }
+  friend ComplexOf operator*(ComplexOf a, ComplexOf b) {
     return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
   }
-  friend Complex operator/(Complex a, Complex b) {
-    const double d = b.re * b.re + b.im * b.im;
+  friend ComplexOf operator/(ComplexOf a, ComplexOf b) {
+    const Number d = b.re * b.re + b.im * b.im;
     return {(a.re * b.re + a.im * b.im) / d, (a.im * b.re - a.re * b.im) / d};
   }
-  bool operator==(const Complex& other) const { return re == other.re && im == other.im; }
-  double squared() const { return re * re + im * im; }
+  bool operator==(const ComplexOf& other) const { return re == other.re && im == other.im; }
+  Number squared() const { return re * re + im * im; }
 };
+using Complex = ComplexOf<double>;
 
-Complex power(Complex z, int exponent) {
-  Complex result = z;
+template <typename Number>
+ComplexOf<Number> power(ComplexOf<Number> z, int exponent) {
+  ComplexOf<Number> result = z;
   for (int i = 1; i < exponent; ++i) result = result * z;
   return result;
 }
@@ -64,31 +96,57 @@ template <Map kMap>
 class Fractal : public BasePattern {
  public:
   explicit Fractal(const FractalParameters& f) : f_(f) {}
-  double base_value(const Vec3& p, const PatternContext&) const override;
+  double base_value(const Vec3& p, const PatternContext&) const override {
+    const Complex point{p.x, p.y};
+    const Complex z = start(point);
+    return follow(point, z, first_least(z), 0);
+  }
+  void base_values(const Vec3 points[4], const PatternContext&, double out[4]) const override;
 
  private:
   static constexpr bool kIsMagnet = kMap != Map::mandel && kMap != Map::julia;
   static constexpr bool kIsJulia =
       kMap == Map::julia || kMap == Map::magnet1_julia || kMap == Map::magnet2_julia;
 
-  Complex step(Complex z, Complex c) const {
+  template <typename Number>
+  static ComplexOf<Number> start(const ComplexOf<Number>& point) {
+    if constexpr (kIsMagnet && !kIsJulia) return {0, 0};
+    return point;
+  }
+  template <typename Number>
+  static Number first_least(const ComplexOf<Number>& z) {
+    if constexpr (kIsMagnet && !kIsJulia) return 10000;
+    return z.squared();
+  }
+  template <typename Number>
+  ComplexOf<Number> constant(const ComplexOf<Number>& point) const {
+    if constexpr (kIsJulia) return {f_.coordinates.x, f_.coordinates.y};
+    return point;
+  }
+  // The value at a point whose orbit has come to z by k steps, where the least square was `least`.
+  double follow(Complex point, Complex z, double least, int k) const;
+
+  template <typename Number>
+  ComplexOf<Number> step(ComplexOf<Number> z, ComplexOf<Number> c) const {
     if constexpr (kMap == Map::mandel || kMap == Map::julia) {
       if (f_.exponent == 2)
         return {z.re * z.re - z.im * z.im + c.re, 2 * z.re * z.im + c.im};
       return power(z, f_.exponent) + c;
     } else if constexpr (kMap == Map::magnet1_mandel || kMap == Map::magnet1_julia) {
-      const Complex q = (z * z + c - 1) / (2.0 * z + c - 2);
+      const auto q = (z * z + c - 1) / (2.0 * z + c - 2);
       return q * q;
     } else {
-      const Complex product = (c - 1) * (c - 2), square = z * z;
-      const Complex q = (square * z + 3.0 * ((c - 1) * z) + product) /
+      const auto product = (c - 1) * (c - 2), square = z * z;
+      const auto q = (square * z + 3.0 * ((c - 1) * z) + product) /
                         (3.0 * square + 3.0 * ((c - 2) * z) + product + 1);
       return q * q;
     }
   }
-  bool stops(Complex z) const {
-    if constexpr (!kIsMagnet) return z.squared() > 4;
-    return z.squared() > 10000 || (z - 1).squared() < 1.0 / 10000;
+  // Of several orbits: a bit for each.
+  template <typename Number>
+  static int stops(const ComplexOf<Number>& z, const Number& squared) {
+    if constexpr (!kIsMagnet) return Number(4) < squared;
+    return (Number(10000) < squared) | ((z - 1).squared() < Number(1.0 / 10000));
   }
   double exterior(Complex z, int k) const;
   double interior(Complex z, double least) const;
@@ -96,29 +154,30 @@ class Fractal : public BasePattern {
   FractalParameters f_;
 };
 
+// Asked once in so many steps, since most orbits escape: whether the rest is known.
+constexpr int kLap = 32;
+
 template <Map kMap>
-double Fractal<kMap>::base_value(const Vec3& p, const PatternContext&) const {
-  const Complex point{p.x, p.y};
-  const Complex c = kIsJulia ? Complex{f_.coordinates.x, f_.coordinates.y} : point;
-  Complex z = kIsMagnet && !kIsJulia ? Complex{0, 0} : point;
-  double least = kIsMagnet && !kIsJulia ? 10000 : z.squared();
+double Fractal<kMap>::follow(Complex point, Complex z, double least, int k) const {
+  const Complex c = constant(point);
   // An orbit that comes back to the very same number goes round for ever (Brent 1980, "An improved
   // Monte Carlo factorization algorithm": it is compared with its place at the last power of two).
-  // Asked once in so many steps, since most orbits escape.
-  constexpr int kLap = 32;
   Complex mark = z;
-  int marked = 0;
-  for (int k = 0; k < f_.iterations;) {
+  int marked = k;
+  bool is_first_lap = true;
+  while (k < f_.iterations) {
     const int lap_end = f_.iterations - k > kLap ? k + kLap : f_.iterations;
     for (; k < lap_end; ++k) {
       z = step(z, c);
-      least = std::min(least, z.squared());
-      if (stops(z)) return exterior(z, k);
+      const double squared = z.squared();
+      least = smaller(least, squared);
+      if (stops(z, squared)) return exterior(z, k);
     }
-    if (kMap == Map::mandel && k == kLap && f_.interior_type == 0 && f_.exponent == 2 &&
-        is_held(c, f_.iterations)) {
+    if (kMap == Map::mandel && is_first_lap && k < f_.iterations && f_.interior_type == 0 &&
+        f_.exponent == 2 && is_held(c, f_.iterations)) {
       break;
     }
+    is_first_lap = false;
     if (z == mark) {
       for (int left = (f_.iterations - k) % (k - marked); left > 0; --left) z = step(z, c);
       break;
@@ -129,6 +188,33 @@ double Fractal<kMap>::base_value(const Vec3& p, const PatternContext&) const {
     }
   }
   return interior(z, least);
+}
+
+template <Map kMap>
+void Fractal<kMap>::base_values(const Vec3 points[4], const PatternContext&, double out[4]) const {
+  const ComplexOf<Four> point{{points[0].x, points[1].x, points[2].x, points[3].x},
+                              {points[0].y, points[1].y, points[2].y, points[3].y}};
+  const ComplexOf<Four> c = constant(point);
+  ComplexOf<Four> z = start(point);
+  Four least = first_least(z);
+  const auto lane = [&](const ComplexOf<Four>& of, int i) { return Complex{of.re[i], of.im[i]}; };
+  int running = 15;
+  int k = 0;
+  for (const int end = std::min(f_.iterations, 2 * kLap); k < end; ++k) {
+    z = step(z, c);
+    const Four squared = z.squared();
+    least = smaller(least, squared);
+    const int stopped = stops(z, squared) & running;
+    if (!stopped) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (stopped >> i & 1) out[i] = exterior(lane(z, i), k);
+    }
+    running &= ~stopped;
+    if (!running) return;
+  }
+  for (int i = 0; i < 4; ++i) {
+    if (running >> i & 1) out[i] = follow(lane(point, i), lane(z, i), least[i], k);
+  }
 }
 
 template <Map kMap>

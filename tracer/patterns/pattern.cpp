@@ -63,7 +63,16 @@ Vec3 Pattern::warp_point(const Vec3& p) const {
 }
 
 double Pattern::value_at_warped(const Vec3& warped, const PatternContext& context) const {
-  double v = base_->base_value(warped, context);
+  return finished(base_->base_value(warped, context));
+}
+
+void Pattern::values_at_warped(const Vec3 warped[4], const PatternContext& context,
+                               double out[4]) const {
+  base_->base_values(warped, context, out);
+  for (int i = 0; i < 4; ++i) out[i] = finished(out[i]);
+}
+
+double Pattern::finished(double v) const {
   if (node_.frequency != 0) v = folded(v * node_.frequency + node_.phase);
   if (v < 0) v -= std::floor(v);
   apply_waves(v);

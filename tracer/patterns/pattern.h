@@ -58,6 +58,11 @@ class BasePattern {
  public:
   virtual ~BasePattern() = default;
   virtual double base_value(const Vec3& p, const PatternContext& context) const = 0;
+  // The same at four points near each other, for patterns that work them out together.
+  virtual void base_values(const Vec3 points[4], const PatternContext& context,
+                           double out[4]) const {
+    for (int i = 0; i < 4; ++i) out[i] = base_value(points[i], context);
+  }
   // Bounds of base_value over a box; infinite where nothing is known.
   virtual ValueRange base_range(const Bounds& box) const;
 };
@@ -77,6 +82,7 @@ class Pattern : public ScalarField {
   Vec3 warp_point(const Vec3& p) const;
   // The finished value at an already warped point.
   double value_at_warped(const Vec3& warped, const PatternContext& context) const;
+  void values_at_warped(const Vec3 warped[4], const PatternContext& context, double out[4]) const;
   double value(const Vec3& p, const PatternContext& context) const {
     return value_at_warped(warp_point(p), context);
   }
@@ -85,6 +91,7 @@ class Pattern : public ScalarField {
   ValueRange range(const Bounds& box) const override;
 
  private:
+  double finished(double base_value) const;
   void apply_waves(double& value) const;
   Bounds warped_bounds(Bounds box) const;
   ValueRange range_of_waves(ValueRange range) const;

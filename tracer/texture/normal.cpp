@@ -119,11 +119,14 @@ class HeightBump : public Bump {
                                                  {0, 1, 0}};
     Vec3 result = n;
     const double scale = amount_ * -5.0 * (0.02 / accuracy_);
-    for (const auto& d : kDirections) {
-      const Vec3 direction(d[0], d[1], d[2]);
-      const double value = pattern_.value_at_warped(q + accuracy_ * direction, context);
-      result += (height(value) * scale) * direction;
-    }
+    const auto direction = [](int i) {
+      return Vec3(kDirections[i][0], kDirections[i][1], kDirections[i][2]);
+    };
+    Vec3 points[4];
+    double values[4];
+    for (int i = 0; i < 4; ++i) points[i] = q + accuracy_ * direction(i);
+    pattern_.values_at_warped(points, context, values);
+    for (int i = 0; i < 4; ++i) result += (height(values[i]) * scale) * direction(i);
     return result;
   }
 
