@@ -96,7 +96,7 @@ void Parser::parse_number_list(double* out, int count, const char* what) {
   if (!accept(Symbol::less)) error_expected(std::string("'<' and the numbers of ") + what);
   for (int i = 0; i < count; ++i) {
     out[i] = state_->parse_float();
-    accept_comma();
+    if (i + 1 < count) accept_comma();
   }
   if (!accept(Symbol::greater)) error_expected(std::string("'>' after the numbers of ") + what);
 }

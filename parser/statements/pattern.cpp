@@ -78,8 +78,6 @@ void parse_fractal(Parser& parser, PatternNode& node, bool julia) {
   }
   node.fractal.iterations = parser.parse_int();
   if (node.fractal.iterations < 0) parser.error("the iterations of a fractal cannot be negative");
-  // A buffer size of very old scenes.
-  if (parser.accept_comma()) parser.parse_optional_float(0);
 }
 
 void parse_magnet(Parser& parser, PatternNode& node) {

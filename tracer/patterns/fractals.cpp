@@ -27,10 +27,18 @@ class Four {
   Four(double a, double b, double c, double d) : low_{a, b}, high_{c, d} {}
 
   double operator[](int lane) const { return lane < 2 ? low_[lane] : high_[lane - 2]; }
-  friend Four operator+(const Four& a, const Four& b) { return {a.low_ + b.low_, a.high_ + b.high_}; }
-  friend Four operator-(const Four& a, const Four& b) { return {a.low_ - b.low_, a.high_ - b.high_}; }
-  friend Four operator*(const Four& a, const Four& b) { return {a.low_ * b.low_, a.high_ * b.high_}; }
-  friend Four operator/(const Four& a, const Four& b) { return {a.low_ / b.low_, a.high_ / b.high_}; }
+  friend Four operator+(const Four& a, const Four& b) {
+    return {a.low_ + b.low_, a.high_ + b.high_};
+  }
+  friend Four operator-(const Four& a, const Four& b) {
+    return {a.low_ - b.low_, a.high_ - b.high_};
+  }
+  friend Four operator*(const Four& a, const Four& b) {
+    return {a.low_ * b.low_, a.high_ * b.high_};
+  }
+  friend Four operator/(const Four& a, const Four& b) {
+    return {a.low_ / b.low_, a.high_ / b.high_};
+  }
   // Bits of the lanes where a < b.
   friend int operator<(const Four& a, const Four& b) {
     return _mm_movemask_pd(_mm_cmplt_pd(a.low_, b.low_)) |

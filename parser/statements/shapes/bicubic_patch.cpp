@@ -75,7 +75,7 @@ ShapeNode parse_bicubic_patch(Parser& parser) {
   }
   for (Vec3& point : node.points) {
     point = parser.parse_vector();
-    parser.accept_comma();
+    if (&point != &node.points.back()) parser.accept_comma();
   }
   return node;
 }

@@ -12,9 +12,7 @@ namespace {
 double parse_strength(Parser& parser) {
   parser.accept_comma();
   parser.accept(Keyword::strength);
-  const double strength = parser.parse_float();
-  parser.accept_comma();
-  return strength;
+  return parser.parse_float();
 }
 
 // What leaves a sphere a sphere moves its centre and radius; its reported box depends on it.

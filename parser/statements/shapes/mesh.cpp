@@ -16,10 +16,11 @@ class MeshReader {
     std::array<Vec3, 3> vertex, normal;
     for (int i = 0; i < 3; ++i) {
       vertex[i] = parser_.parse_vector();
-      parser_.accept_comma();
-      if (!smooth) continue;
-      normal[i] = unit_normal(parser_.parse_vector());
-      parser_.accept_comma();
+      if (smooth) {
+        parser_.accept_comma();
+        normal[i] = unit_normal(parser_.parse_vector());
+      }
+      if (i < 2) parser_.accept_comma();
     }
     // A triangle without area is left out; its items are read all the same.
     const bool keep = length(cross(vertex[2] - vertex[0], vertex[1] - vertex[0])) > 0;
@@ -35,7 +36,7 @@ class MeshReader {
         for (int32_t& index : uv) {
           index = static_cast<int32_t>(mesh_.uv.size());
           mesh_.uv.push_back(parser_.parse_uv());
-          parser_.accept_comma();
+          if (&index != &uv.back()) parser_.accept_comma();
         }
         if (keep) set(mesh_.face_uv, face, uv);
       } else if (parser_.accept(Keyword::texture)) {
@@ -49,7 +50,7 @@ class MeshReader {
         std::array<int32_t, 3> list;
         for (int32_t& index : list) {
           index = parse_texture_index();
-          parser_.accept_comma();
+          if (&index != &list.back()) parser_.accept_comma();
         }
         parser_.expect_close("texture_list");
         textured = true;

@@ -37,7 +37,7 @@ std::vector<Vec2> parse_points(Parser& parser, int count) {
   std::vector<Vec2> points;
   for (int i = 0; i < count; ++i) {
     points.push_back(parser.parse_uv());
-    parser.accept_comma();
+    if (i + 1 < count) parser.accept_comma();
   }
   return points;
 }
@@ -135,7 +135,7 @@ ShapeNode parse_sor(Parser& parser) {
   std::vector<Vec2>& points = node.points;
   for (int i = 0; i < count; ++i) {
     points.push_back(parser.parse_uv());
-    parser.accept_comma();
+    if (i + 1 < count) parser.accept_comma();
     if (points[i].x < 0) parser.error("the radii of a sor must not be negative");
     // The first and the last point only bend the curve, and may stand anywhere but level with the
     // point after next.
@@ -201,7 +201,7 @@ ShapeNode parse_sphere_sweep(Parser& parser) {
     node.centers.push_back(parser.parse_vector());
     parser.accept_comma();
     node.radii.push_back(parser.parse_float());
-    parser.accept_comma();
+    if (i + 1 < count) parser.accept_comma();
   }
   if (parser.accept(Keyword::tolerance)) node.tolerance = parser.parse_float();
   return node;

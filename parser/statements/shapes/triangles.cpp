@@ -37,9 +37,9 @@ void close_polygon(Parser& parser, std::vector<Vec3>& points) {
 
 ShapeNode parse_triangle(Parser& parser) {
   TriangleNode node;
-  for (Vec3& vertex : node.vertex) {
-    vertex = parser.parse_vector();
-    parser.accept_comma();
+  for (int i = 0; i < 3; ++i) {
+    node.vertex[i] = parser.parse_vector();
+    if (i < 2) parser.accept_comma();
   }
   if (length(triangle_normal(node.vertex)) == 0) parser.warning(kDegenerate);
   return node;
@@ -51,7 +51,7 @@ ShapeNode parse_smooth_triangle(Parser& parser) {
     node.vertex[i] = parser.parse_vector();
     parser.accept_comma();
     node.normal[i] = normalize_or_zero(parser.parse_vector());
-    parser.accept_comma();
+    if (i < 2) parser.accept_comma();
   }
   // All three normals must lie on one side of the triangle.
   const Vec3 n = triangle_normal(node.vertex);
@@ -69,7 +69,7 @@ ShapeNode parse_polygon(Parser& parser) {
                      "points of a polygon");
   for (int i = 0; i < count; ++i) {
     node.points.push_back(parser.parse_vector());
-    parser.accept_comma();
+    if (i + 1 < count) parser.accept_comma();
   }
   close_polygon(parser, node.points);
   return node;
