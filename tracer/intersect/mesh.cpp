@@ -1,6 +1,7 @@
 #include "tracer/intersect/mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <mutex>
 
@@ -38,6 +39,7 @@ class Mesh final : public Shape {
     }
     if (mesh_.inside_vector) inside_direction_ = normalize_or_zero(*mesh_.inside_vector);
     is_solid_ = inside_direction_ != Vec3(0);
+    has_holes_ = is_solid_ && leaves_edges_open();
     all_textured_ = !mesh_.textures.empty() && mesh_.face_textures.size() == count &&
                     std::all_of(mesh_.face_textures.begin(), mesh_.face_textures.end(),
                                 [](const auto& t) { return t[0] >= 0; });
@@ -94,6 +96,8 @@ class Mesh final : public Shape {
   bool inside(const Vec3& point) const override {
     return is_solid_ && inside_along(point, inside_direction_);
   }
+  // Through a hole a ray from outside may meet one side only.
+  bool is_solid_within_bounds() const override { return !has_holes_; }
   // inside_vector stays as it is where the mesh is turned: meshes with holes show it.
   bool looks_along_world() const override { return is_solid_; }
   bool inside_moved(const Vec3& point, const Transform& placement, bool inverted) const override {
@@ -163,6 +167,30 @@ class Mesh final : public Shape {
   bool needs_object_texture() const override { return !all_textured_; }
 
  private:
+  // Whether some edge belongs to an odd number of faces. In the sum of all edges' hashes those that
+  // two faces share cancel out; places count, not numbers, since vertices may be listed twice.
+  bool leaves_edges_open() const {
+    const auto mixed = [](uint64_t z) {  // splitmix64's finaliser (Steele, Lea, Flood 2014)
+      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+      z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+      return z ^ (z >> 31);
+    };
+    const auto hash_of = [&](int32_t vertex) {
+      uint64_t hash = 0;
+      for (int i = 0; i < 3; ++i) {
+        const float place = mesh_.vertices[vertex][i] + 0.0f;  // -0 is 0
+        hash = mixed(hash + 0x9e3779b97f4a7c15ull + std::bit_cast<uint32_t>(place));
+      }
+      return hash;
+    };
+    uint64_t sum = 0;
+    for (const auto& face : mesh_.face_vertices) {
+      const uint64_t corner[3] = {hash_of(face[0]), hash_of(face[1]), hash_of(face[2])};
+      for (int i = 0; i < 3; ++i) sum ^= mixed(corner[i] + corner[(i + 1) % 3]);
+    }
+    return sum != 0;
+  }
+
   // Whether a ray meets an odd number of triangles.
   bool inside_along(const Vec3& point, const Vec3& direction) const {
     const LocalRay local(ShapeRay{point, direction, false, true, kHugeDepth});
@@ -298,6 +326,7 @@ class Mesh final : public Shape {
   Bounds bounds_;
   Vec3 inside_direction_{0};
   bool is_solid_ = false;
+  bool has_holes_ = false;
   bool all_textured_ = false;
 };
 

@@ -169,7 +169,7 @@ class Blob final : public Shape {
     }
     const Vec3 axis = c.apex - c.center;
     part.length = length(axis);
-    const Transform placed = 
+    const Transform placed =
         Transform::rotation_from_z(axis / part.length).then(Transform::translation(c.center));
     part.frame = moved ? placed.then(c.transform) : placed;
     part.has_transform = true;
