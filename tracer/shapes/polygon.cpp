@@ -34,13 +34,13 @@ class Polygon final : public Shape {
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
     Vec3 d = frame_.inverse_direction(ray.direction);
-    const double scale = 1 / length(d);
-    d *= scale;
+    const double stretch = length(d);
+    d *= 1 / stretch;
     if (std::abs(d.z) < kGeometryEpsilon) return;
     const Vec3 o = frame_.inverse_point(ray.origin);
     const double depth = -o.z / d.z;
     if (!(depth >= 1e-8 && depth <= kGreatestDepth)) return;
-    if (covers(o.x + depth * d.x, o.y + depth * d.y)) out.push(depth * scale);
+    if (covers(o.x + depth * d.x, o.y + depth * d.y)) out.push(depth / stretch);
   }
 
   bool inside(const Vec3&) const override { return false; }
@@ -110,10 +110,10 @@ PlacedShape compile(const PolygonNode& node, const ShapeContext&) {
   }
   if (!found) return {};
   const Vec3 w0 = cross(u0, v0);
-  const Vec3 u = normalize_or_zero(cross(v0, w0)), w = normalize_or_zero(w0);
+  const Vec3 u = unit_or_zero(cross(v0, w0)), w = unit_or_zero(w0);
   Matrix matrix;
   matrix.row[0] = u;
-  matrix.row[1] = normalize_or_zero(cross(w, u));
+  matrix.row[1] = unit_or_zero(cross(w, u));
   matrix.row[2] = w;
   matrix.row[3] = origin;
   Transform frame;
