@@ -132,6 +132,7 @@ class LightReader {
       light_.jitter = true;
     } else if (parser_.accept(Keyword::circular)) {
       light_.circular = true;
+      if (!light_.area) parser_.warning("circular has a meaning for area lights only");
     } else if (parser_.accept(Keyword::orient)) {
       light_.orient = true;
       if (!light_.area) parser_.warning("orient has a meaning for area lights only");
