@@ -291,8 +291,10 @@ struct LobeShares {
   float highlight = 0;
 };
 
-[[gnu::always_inline]] inline LobeShares lobe_shares(const TextureLayer& layer, const Vec3& ray_direction, const Vec3& normal,
-                       const Vec3& to_light, float diffuse, float opacity, bool highlights) {
+[[gnu::always_inline]] inline LobeShares lobe_shares(const TextureLayer& layer,
+                                                     const Vec3& ray_direction, const Vec3& normal,
+                                                     const Vec3& to_light, float diffuse,
+                                                     float opacity, bool highlights) {
   const FinishNode& finish = *layer.finish;
   LobeShares shares;
   if (diffuse > 0) {
