@@ -6,7 +6,6 @@
 #include "parser/statements/pattern.h"
 #include "parser/statements/textures.h"
 #include "parser/statements/warp.h"
-#include "tracer/texture/default_maps.h"
 
 namespace durer {
 namespace {
@@ -23,21 +22,10 @@ bool is_loose_pattern(Keyword word) {
   return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 
-PatternKind loose_bumps(Keyword word) {
-  switch (word) {
-    case Keyword::bumps:
-      return K::bumps;
-    case Keyword::dents:
-      return K::dents;
-    case Keyword::ripples:
-      return K::ripples;
-    case Keyword::waves:
-      return K::waves;
-    case Keyword::wrinkles:
-      return K::wrinkles;
-    default:
-      return K::none;
-  }
+bool is_loose_bumps(Keyword word) {
+  static constexpr Keyword kWords[] = {Keyword::bumps, Keyword::dents, Keyword::ripples,
+                                       Keyword::waves, Keyword::wrinkles};
+  return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 
 struct FinishNumber {
@@ -138,20 +126,10 @@ bool LooseTextureItems::accept_pattern(PigmentNode& pigment) {
     pattern.fractal.exterior_factor = pattern.fractal.interior_factor = 0;
   }
   pigment.is_unspecified = false;
-  accept_list(pigment);
-  return true;
-}
-
-// Colours only; those left out come from the default list.
-void LooseTextureItems::accept_list(PigmentNode& pigment) {
-  const int count = list_length(pigment.pattern->kind);
-  if (count == 0) return;
-  auto map = std::make_shared<ColorMap>(default_color_map(*pigment.pattern));
-  for (int i = 0; i < count && parser_.at_color_or_expression(); ++i) {
-    map->entries[i].item = parser_.parse_color();
-    parser_.accept_comma();
+  if (list_length(pattern.kind) > 0) {
+    pigment.maps = PigmentMaps{.color_map = parse_color_list(parser_, pattern)};
   }
-  pigment.maps = PigmentMaps{.color_map = std::move(map)};
+  return true;
 }
 
 NormalNode& LooseTextureItems::edit_normal(TexturePtr& texture) {
@@ -166,23 +144,16 @@ NormalNode& LooseTextureItems::edit_normal(TexturePtr& texture) {
 
 bool LooseTextureItems::accept_normal_item(TexturePtr& texture) {
   if (parser_.peek().kind != TokenKind::keyword) return false;
-  if (const PatternKind kind = loose_bumps(parser_.peek().keyword); kind != K::none) {
+  if (const Keyword word = parser_.peek().keyword; is_loose_bumps(word)) {
     warn("normal");
     parser_.next();
     const float amount = static_cast<float>(parser_.parse_float());
     NormalNode& normal = edit_normal(texture);
-    normal.pattern.edit().kind = kind;
+    normal.pattern.edit().kind = simple_pattern(word);
     normal.bump_size = amount;
   } else if (parser_.accept(Keyword::bump_map)) {
     warn("normal");
-    NormalNode& normal = edit_normal(texture);
-    PatternNode& pattern = normal.pattern.edit();
-    pattern.kind = K::bump_map;
-    pattern.frequency = 0;
-    pattern.position = parser_.position();
-    parser_.expect_open("bump_map");
-    pattern.image = parse_image_options(parser_, K::bump_map, &normal.bump_size);
-    parser_.expect_close("bump_map");
+    parse_bump_map(parser_, edit_normal(texture));
   } else if (parser_.accept(Keyword::frequency)) {
     warn("normal");
     const float frequency = static_cast<float>(parser_.parse_float());

@@ -28,7 +28,6 @@ class LooseTextureItems {
   bool accept_normal_item(TexturePtr& texture);
   bool accept_finish_item(TexturePtr& texture);
   bool accept_pattern(PigmentNode& pigment);
-  void accept_list(PigmentNode& pigment);
   // The normal that loose items change. If only a normal{} has given one, they do not see it: povray 3.7
   // starts from the default's then.
   NormalNode& edit_normal(TexturePtr& texture);

@@ -1,7 +1,9 @@
 // color_map, pigment_map, normal_map, slope_map, texture_map, density_map (spec/textures.md 10).
 #include "parser/parser.h"
 #include "parser/statements/map_entries.h"
+#include "parser/statements/pattern.h"
 #include "parser/statements/textures.h"
+#include "tracer/texture/default_maps.h"
 
 namespace durer {
 namespace {
@@ -75,6 +77,16 @@ void parse_color_entry(Parser& parser, ColorMap& map) {
 std::shared_ptr<const ColorMap> parse_color_map(Parser& parser) {
   return parse_map<ColorMap>(parser, "color_map", ValueKind::color_map,
                              [&](ColorMap& map) { parse_color_entry(parser, map); });
+}
+
+std::shared_ptr<const ColorMap> parse_color_list(Parser& parser, const PatternNode& pattern) {
+  auto map = std::make_shared<ColorMap>(default_color_map(pattern));
+  const int count = list_length(pattern.kind);
+  for (int i = 0; i < count && parser.at_color_or_expression(); ++i) {
+    map->entries[i].item = parser.parse_color();
+    parser.accept_comma();
+  }
+  return map;
 }
 
 std::shared_ptr<const PigmentMap> parse_pigment_map(Parser& parser, MapEntries entries) {

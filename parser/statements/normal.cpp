@@ -58,13 +58,7 @@ class NormalReader {
 
   void read_start() {
     if (parser_.accept(Keyword::bump_map)) {
-      node_.pattern.edit().kind = PatternKind::bump_map;
-      node_.pattern.edit().frequency = 0;
-      node_.pattern.edit().position = parser_.position();
-      parser_.expect_open("bump_map");
-      node_.pattern.edit().image =
-          parse_image_options(parser_, PatternKind::bump_map, &node_.bump_size);
-      parser_.expect_close("bump_map");
+      parse_bump_map(parser_, node_);
     } else if (parser_.accept(Keyword::object)) {
       node_.pattern.edit().kind = PatternKind::object;
       node_.pattern.edit().frequency = 0;
@@ -157,6 +151,16 @@ std::shared_ptr<const NormalNode> parse_normal(Parser& parser,
   auto node = parse_default_normal(parser, start);
   if (node->pattern->kind == PatternKind::none) parser.error("this normal has no pattern");
   return node;
+}
+
+void parse_bump_map(Parser& parser, NormalNode& normal) {
+  PatternNode& pattern = normal.pattern.edit();
+  pattern.kind = PatternKind::bump_map;
+  pattern.frequency = 0;
+  pattern.position = parser.position();
+  parser.expect_open("bump_map");
+  pattern.image = parse_image_options(parser, PatternKind::bump_map, &normal.bump_size);
+  parser.expect_close("bump_map");
 }
 
 std::shared_ptr<const NormalNode> parse_default_normal(

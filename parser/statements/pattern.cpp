@@ -133,10 +133,9 @@ bool starts_with_triangle_wave(PatternKind kind) {
 bool accept_kind(Parser& parser, PatternNode& node, PatternUse use) {
   if (parser.peek().kind != TokenKind::keyword) return false;
   const Keyword keyword = parser.peek().keyword;
-  for (const SimplePattern& simple : kSimple) {
-    if (simple.keyword != keyword) continue;
+  if (const PatternKind simple = simple_pattern(keyword); simple != K::none) {
     parser.next();
-    node.kind = simple.kind;
+    node.kind = simple;
     return true;
   }
   if (parser.accept(Keyword::gradient)) {
@@ -225,6 +224,13 @@ void check_pavement(Parser& parser, const PavementParameters& pavement) {
 }
 
 }  // namespace
+
+PatternKind simple_pattern(Keyword keyword) {
+  for (const SimplePattern& simple : kSimple) {
+    if (simple.keyword == keyword) return simple.kind;
+  }
+  return K::none;
+}
 
 int list_length(PatternKind kind) {
   switch (kind) {

@@ -5,7 +5,6 @@
 #include "parser/statements/pattern.h"
 #include "parser/statements/textures.h"
 #include "tracer/scene/node_memory.h"
-#include "tracer/texture/default_maps.h"
 
 namespace durer {
 namespace {
@@ -99,13 +98,7 @@ class PigmentReader {
       node_.maps = PigmentMaps{.pigment_map = std::move(map)};
       return;
     }
-    // Colours; those left out come from the default list.
-    auto map = std::make_shared<ColorMap>(default_color_map(node_.pattern));
-    for (int i = 0; i < count && parser_.at_color_or_expression(); ++i) {
-      map->entries[i].item = parser_.parse_color();
-      parser_.accept_comma();
-    }
-    node_.maps = PigmentMaps{.color_map = std::move(map)};
+    node_.maps = PigmentMaps{.color_map = parse_color_list(parser_, *node_.pattern)};
   }
 
   bool accept_map() {

@@ -19,6 +19,8 @@ std::shared_ptr<const PigmentNode> parse_pigment(Parser& parser,
 // start may be null: no normal yet.
 std::shared_ptr<const NormalNode> parse_normal(Parser& parser,
                                                const std::shared_ptr<const NormalNode>& start);
+// bump_map{...}: changes the pattern and the size of the bumps.
+void parse_bump_map(Parser& parser, NormalNode& normal);
 // In #default a normal may say how, but not yet which pattern.
 std::shared_ptr<const NormalNode> parse_default_normal(
     Parser& parser, const std::shared_ptr<const NormalNode>& start);
@@ -45,6 +47,8 @@ std::shared_ptr<const PigmentNode> parse_density(Parser& parser);
 // Maps: color_map{...} etc. The entries of average have weights, which may be left out.
 enum class MapEntries : uint8_t { places, weights };
 std::shared_ptr<const ColorMap> parse_color_map(Parser& parser);
+// The colours of a list pattern; those left out come from the default list.
+std::shared_ptr<const ColorMap> parse_color_list(Parser& parser, const PatternNode& pattern);
 std::shared_ptr<const PigmentMap> parse_pigment_map(Parser& parser,
                                                     MapEntries entries = MapEntries::places);
 std::shared_ptr<const NormalMap> parse_normal_map(Parser& parser,
