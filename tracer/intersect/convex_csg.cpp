@@ -95,7 +95,10 @@ bool Geometry::gather_convex_solids(uint32_t index, int32_t parent, std::vector<
     solids.push_back(index);
     return true;
   }
-  if (node.kind == NodeKind::nothing || node.tree >= 0) return false;
+  if (node.kind == NodeKind::nothing) return false;
+  if (node.tree >= 0 && (parent >= 0 || node.kind != NodeKind::intersection)) return false;
+  // What cannot be swept by itself is no part of anything that can.
+  if (parent >= 0 && node.kind != NodeKind::union_ && node.swept.count == 0) return false;
   const int32_t part = static_cast<int32_t>(plan.parts.size());
   plan.parts.push_back({node.kind, 0, parent, -1, -1});
   if (parent >= 0) {
@@ -105,6 +108,8 @@ bool Geometry::gather_convex_solids(uint32_t index, int32_t parent, std::vector<
   for (uint32_t i = 0; i < node.children.count; ++i) {
     const uint32_t child = lists[node.children.first + i];
     if (nodes[child].bounds.count) return false;
+    // The solids of a hierarchy are its node's own children.
+    if (node.tree >= 0 && nodes[child].kind != NodeKind::shape) return false;
     // Which members of a union take part may depend on the ray.
     if (node.kind != NodeKind::intersection && (nodes[child].hidden || !nodes[child].has_object)) {
       return false;

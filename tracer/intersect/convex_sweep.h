@@ -9,7 +9,7 @@ namespace durer {
 
 inline constexpr uint32_t kMostSweptSolids = 16;
 // Of one intersection, and how many of those that are cut out of it a ray may meet.
-inline constexpr uint32_t kMostIntersectedSolids = 256;
+inline constexpr uint32_t kMostIntersectedSolids = 4096;
 inline constexpr int kMostCuts = 64;
 // Where on the ray a sweep starts: before all hits that count.
 inline constexpr double kSweepStart = 0.5 * kLeastHitDepth;

@@ -239,6 +239,10 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& 
   Interval interval = wanted;
   if (node.is_boxed && !clip_to(node.reach, ray, interval)) return;
   const size_t start = stack.size();
+  if (node.is_flat) {
+    if (sweep_all_of_intersection(node, ray, wanted.max, stack) != Sweep::doubtful) return;
+    stack.shrink(start);
+  }
   if (node.kind == NodeKind::union_ && node.clips.count == 0) {
     for_each_child_met(node, ray, interval, [&](uint32_t child) {
       const GeometryNode& member = nodes[child];
@@ -410,6 +414,13 @@ void Geometry::finish_node(uint32_t index) {
   if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&
       gather_convex_solids(index, -1, solids, plan) &&
       (solids.size() <= kMostSweptSolids || is_flat())) {
+    if (node.tree >= 0) {
+      // What stands in the hierarchy is cut out through it.
+      solids.clear();
+      for (const uint32_t i : trees[node.tree]->others) {
+        solids.push_back(lists[node.children.first + i]);
+      }
+    }
     node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
     node.is_flat = is_flat();
     // What is cut out comes last: most rays miss what it is cut out of.
@@ -529,7 +540,7 @@ void Geometry::enclose(uint32_t index) {
       tree->others.push_back(i);
     }
   }
-  if (boxes.empty()) return;
+  if (boxes.size() < kTreeThreshold) return;
   tree->bvh.build(boxes);
   for (const uint32_t item : tree->bvh.items()) tree->bounded.push_back(bounded[item]);
   node.tree = static_cast<int32_t>(trees.size());

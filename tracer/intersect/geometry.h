@@ -46,8 +46,8 @@ struct GeometryNode {
   uint32_t object = 0;          // the caller's number
   const Shape* shape = nullptr;
   NodeRange children, clips, bounds;
-  // The convex solids of a CSG for sweep_convex_solids(), if it is one; behind them, where it is not
-  // flat, the number of its plan.
+  // The convex solids of a CSG for sweep_convex_solids(), if it is one, but for those that are cut out by
+  // `tree`; behind them, where it is not flat, the number of its plan.
   NodeRange swept;
   int32_t tree = -1;            // of many children: Geometry::trees
   Bounds reach;                 // the surface and a hair more: outside of it nothing happens
@@ -133,6 +133,16 @@ class Geometry {
   bool gather_convex_solids(uint32_t node, int32_t parent, std::vector<uint32_t>& solids,
                             SweepPlan& plan) const;
   // convex_intersection.cpp, where the node is flat
+  struct IntersectionSpans;
+  Sweep narrow_spans(uint32_t solid, bool look_at_box, const GeometryRay& ray, double t_max,
+                     HitStack& stack, IntersectionSpans& spans) const;
+  Sweep cut_out_tree(const GeometryNode& node, const GeometryRay& ray, double t_max,
+                     HitStack& stack, IntersectionSpans& spans) const;
+  Sweep find_spans(const GeometryNode& node, const GeometryRay& ray, double t_max, HitStack& stack,
+                   IntersectionSpans& spans) const;
+  // Pushes all hits; some, where it ends in doubt.
+  Sweep sweep_all_of_intersection(const GeometryNode& node, const GeometryRay& ray, double t_max,
+                                  HitStack& stack) const;
   Sweep sweep_convex_intersection(const GeometryNode& node, const GeometryRay& ray, double t_max,
                                   HitStack& stack, ShapeHit& hit) const;
   Sweep sweep_convex_solids(const GeometryNode& node, const GeometryRay& ray, double t_max,
