@@ -134,6 +134,11 @@ size_t Parser::parse_literal_vectors(std::vector<glm::vec3>& out, size_t most) {
   });
 }
 
+size_t Parser::parse_literal_vectors(std::vector<Vec3>& out, size_t most) {
+  return read_vectors<Vec3, 3>(
+      *state_, out, most, [](const std::array<double, 3>& v) { return Vec3(v[0], v[1], v[2]); });
+}
+
 size_t Parser::parse_literal_vectors(std::vector<Vec2>& out, size_t most) {
   return read_vectors<Vec2, 2>(*state_, out, most,
                                [](const std::array<double, 2>& v) { return Vec2(v[0], v[1]); });

@@ -134,6 +134,7 @@ class Parser {
   // without making tokens, and appends them; stops before the first item that is anything else
   // (call parse_vector() for that one and then this again). At most `most` items. Returns how many.
   size_t parse_literal_vectors(std::vector<glm::vec3>& out, size_t most);
+  size_t parse_literal_vectors(std::vector<Vec3>& out, size_t most);
   size_t parse_literal_vectors(std::vector<Vec2>& out, size_t most);
   size_t parse_literal_vectors(std::vector<std::array<int32_t, 3>>& out, size_t most);
   // The same for plain numbers.

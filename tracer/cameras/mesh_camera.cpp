@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/shapes/triangle.h"
+
 namespace durer {
 namespace {
 
@@ -31,7 +33,8 @@ struct Corners {
 Corners corners_of(const MeshNode& mesh, int64_t face) {
   Corners c;
   for (int i = 0; i < 3; ++i) c.p[i] = Vec3(mesh.vertices[mesh.face_vertices[face][i]]);
-  c.normal = Vec3(glm::vec3(normalize_or_zero(cross(c.p[2] - c.p[0], c.p[1] - c.p[0]))));
+  c.normal = Vec3(mesh.face_planes.empty() ? mesh_plane_of(c.p[0], c.p[1], c.p[2]).normal
+                                           : mesh.face_planes[static_cast<size_t>(face)].normal);
   return c;
 }
 

@@ -37,6 +37,12 @@ class Mesh final : public Shape {
     } else {
       embree_ = std::make_unique<EmbreeMesh>(mesh_.vertices, mesh_.face_vertices);
     }
+    if (mesh_.face_planes.empty()) {
+      for (size_t face = 0; face < count; ++face) {
+        const Corners c = corners(static_cast<uint32_t>(face));
+        planes_.push_back(mesh_plane_of(c.p[0], c.p[1], c.p[2]));
+      }
+    }
     if (mesh_.inside_vector) inside_direction_ = normalize_or_zero(*mesh_.inside_vector);
     is_solid_ = inside_direction_ != Vec3(0);
     has_holes_ = is_solid_ && leaves_edges_open();
@@ -55,7 +61,7 @@ class Mesh final : public Shape {
     }
     for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
       const double depth = depth_of(local, face, is_sure);
-      if (depth >= 0) out.push(depth * local.scale, face);
+      if (depth >= 0) out.push(depth / local.length, face);
     });
   }
 
@@ -89,7 +95,7 @@ class Mesh final : public Shape {
       });
     }
     if (!found) return false;
-    hit.t = best * local.scale;
+    hit.t = best / local.length;
     return hit.t < ray.t_max && hit.t >= kLeastHitDepth;
   }
 
@@ -106,23 +112,28 @@ class Mesh final : public Shape {
   }
 
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
-    const Corners c = corners(hit.part);
+    const MeshPlane& of = plane(hit.part);
     if (hit.part < mesh_.face_normals.size()) {
       const auto& n = mesh_.face_normals[hit.part];
       if (n[0] >= 0 && n[1] >= 0 && n[2] >= 0) {
         const glm::vec3 &n1 = mesh_.normals[n[0]], &n2 = mesh_.normals[n[1]],
                         &n3 = mesh_.normals[n[2]];
         if (!same(n1, n2) || !same(n1, n3)) {
+          const Corners c = corners(hit.part);
+          int a, b;
+          projection_axes(Vec3(of.normal), a, b);
+          const int first = needs_exchange(c.p[0], c.p[1], c.p[2], a, b), second = 1 - first;
+          const Vec3 at_first(first ? n2 : n1), at_second(first ? n1 : n2), at_third(n3);
           double u, v;
-          smooth_weights(c.p[0], c.p[1], c.p[2], p, u, v);
-          const Vec3 a(n1), b(n2), d(n3);
-          if (u < 1e-10) return a;
-          return a + u * (b - a + v * (d - b));
+          smooth_weights(c.p[first], c.p[second], c.p[2], Vec3(of.altitude), p, u, v);
+          if (u < 1e-10) return at_first;
+          return at_first + u * (at_second - at_first + v * (at_third - at_second));
         }
       }
     }
-    return cross(c.p[2] - c.p[0], c.p[1] - c.p[0]);
+    return Vec3(of.normal);
   }
+  bool has_unit_normals() const override { return mesh_.face_normals.empty(); }
 
   Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit& hit) const override {
     if (hit.part >= mesh_.face_uv.size()) {
@@ -204,11 +215,10 @@ class Mesh final : public Shape {
   struct LocalRay {
     explicit LocalRay(const ShapeRay& ray) : origin(ray.origin) {
       length = ray.unit_direction ? 1 : durer::length(ray.direction);
-      scale = 1 / length;
-      direction = ray.direction * scale;
+      direction = ray.direction * (1 / length);
     }
     Vec3 origin, direction;
-    double length, scale;
+    double length;
   };
   struct Corners {
     Vec3 p[3];
@@ -217,6 +227,9 @@ class Mesh final : public Shape {
   Corners corners(uint32_t face) const {
     const auto& v = mesh_.face_vertices[face];
     return {{Vec3(mesh_.vertices[v[0]]), Vec3(mesh_.vertices[v[1]]), Vec3(mesh_.vertices[v[2]])}};
+  }
+  const MeshPlane& plane(uint32_t face) const {
+    return mesh_.face_planes.empty() ? planes_[face] : mesh_.face_planes[face];
   }
   static bool same(const glm::vec3& a, const glm::vec3& b) {
     const glm::vec3 d = a - b;
@@ -233,34 +246,28 @@ class Mesh final : public Shape {
   }
 
   double plane_depth(const LocalRay& ray, uint32_t face) const {
-    const Corners c = corners(face);
-    const Vec3 n = cross(c.p[2] - c.p[0], c.p[1] - c.p[0]);
-    return dot(n, c.p[0] - ray.origin) / dot(n, ray.direction);
+    const MeshPlane& of = plane(face);
+    const Vec3 n(of.normal);
+    return -(dot(n, ray.origin) - static_cast<double>(of.distance)) / dot(n, ray.direction);
   }
 
   // Depth in normalised local space, negative for none. `is_sure`: the triangle is known to be met,
   // only its depth is asked (shared edges must not leak).
   double depth_of(const LocalRay& ray, uint32_t face, bool is_sure) const {
-    const Corners c = corners(face);
-    const Vec3 cross_normal = cross(c.p[2] - c.p[0], c.p[1] - c.p[0]);
-    const double size = length(cross_normal);
-    if (size == 0) return -1;
-    const Vec3 n = cross_normal / size;
+    const MeshPlane& of = plane(face);
+    const Vec3 n(of.normal);
     const double slope = dot(n, ray.direction);
     if (std::abs(slope) < kGeometryEpsilon) return -1;
-    const double depth = -(dot(n, ray.origin) - dot(n, c.p[0])) / slope;
+    const double depth = -(dot(n, ray.origin) - static_cast<double>(of.distance)) / slope;
     if (!(depth >= kLeastDepth && depth <= kGreatestDepth)) return -1;
     if (is_sure) return depth;
+    const Corners c = corners(face);
     int a, b;
     projection_axes(n, a, b);
     const bool exchange = needs_exchange(c.p[0], c.p[1], c.p[2], a, b);
     const double s = ray.origin[a] + depth * ray.direction[a];
     const double t = ray.origin[b] + depth * ray.direction[b];
-    // Neighbours compute the point on their shared edge each with its own rounding.
-    const double error =
-        1e-15 * (std::abs(ray.origin[a]) + std::abs(ray.origin[b]) + depth);
-    return covers(c.p[exchange ? 1 : 0], c.p[exchange ? 0 : 1], c.p[2], a, b, s, t, error) ? depth
-                                                                                          : -1;
+    return covers(c.p[exchange ? 1 : 0], c.p[exchange ? 0 : 1], c.p[2], a, b, s, t) ? depth : -1;
   }
 
   // Without inside_vector the walk ends where the next box starts behind the hit found last: what lies
@@ -287,7 +294,7 @@ class Mesh final : public Shape {
       const double depth = depth_of(local, face, false);
       if (depth < 0) continue;
       last = depth;
-      out.push(depth * local.scale, face);
+      out.push(depth / local.length, face);
     }
   }
 
@@ -318,6 +325,7 @@ class Mesh final : public Shape {
 
   std::shared_ptr<const ShapeNode> node_;
   const MeshNode& mesh_;
+  std::vector<MeshPlane> planes_;  // where the node has none
   Bvh bvh_;
   std::unique_ptr<EmbreeMesh> embree_;
   // POV-Ray's, made when a CSG first asks for all hits: most members of unions are never asked.

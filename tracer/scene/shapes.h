@@ -140,6 +140,12 @@ struct MeshFace {
   std::array<int32_t, 3> uv{-1, -1, -1};
   std::array<int32_t, 3> texture{-1, -1, -1};
 };
+// The plane of a triangle, dot(normal, p) = distance, and what its smooth normals are mixed by.
+struct MeshPlane {
+  glm::vec3 normal{0};  // of length 1; 0 without area
+  float distance = 0;
+  glm::vec3 altitude{0};  // in the plane; dot(altitude, p - p1) is 0 at p1 and 1 on the edge p2 p3
+};
 struct MeshNode {
   std::vector<glm::vec3> vertices;
   std::vector<glm::vec3> normals;
@@ -150,6 +156,8 @@ struct MeshNode {
   std::vector<std::array<int32_t, 3>> face_normals;
   std::vector<std::array<int32_t, 3>> face_uv;
   std::vector<std::array<int32_t, 3>> face_textures;
+  // Of the corners as they were before they became single precision; empty: of the vertices.
+  std::vector<MeshPlane> face_planes;
   std::optional<Vec3> inside_vector;
   bool hierarchy = true;
 };

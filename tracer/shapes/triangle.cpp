@@ -30,6 +30,7 @@ class Triangle final : public Shape {
     shape->n_ = n;
     shape->smooth_ = smooth;
     if (smooth) {
+      shape->altitude_ = altitude_of(p[0], p[1], p[2]);
       // The normals must all look to the same side of the triangle.
       int above = 0, below = 0;
       for (const Vec3& one : n) {
@@ -66,7 +67,7 @@ class Triangle final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit&) const override {
     if (!smooth_) return normal_;
     double u, v;
-    smooth_weights(p_[0], p_[1], p_[2], p, u, v);
+    smooth_weights(p_[0], p_[1], p_[2], altitude_, p, u, v);
     if (u < 1e-10) return n_[0];
     return n_[0] + u * (n_[1] - n_[0] + v * (n_[2] - n_[1]));
   }
@@ -102,7 +103,7 @@ class Triangle final : public Shape {
   }
 
   std::array<Vec3, 3> p_, n_;
-  Vec3 normal_;
+  Vec3 normal_, altitude_{0};
   int a_ = 0, b_ = 1;
   bool smooth_ = false;
   bool degenerate_ = false;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tracer/math/vector.h"
+#include "tracer/scene/shapes.h"
 
 namespace durer {
 
@@ -26,31 +27,48 @@ inline bool needs_exchange(const Vec3& p1, const Vec3& p2, const Vec3& p3, int a
   return (p2[a] - p3[a]) * (p2[b] - p1[b]) < (p2[b] - p3[b]) * (p2[a] - p1[a]);
 }
 
-// The point is within all three edges, borders included, and as much beyond as `error`, by which
-// its coordinates may be off.
-inline bool covers(const Vec3& p1, const Vec3& p2, const Vec3& p3, int a, int b, double s, double t,
-                   double error = 0) {
+// The point is within all three edges, borders included.
+inline bool covers(const Vec3& p1, const Vec3& p2, const Vec3& p3, int a, int b, double s,
+                   double t) {
   const auto keeps = [&](const Vec3& from, const Vec3& to) {
-    const double across = to[a] - from[a], up = to[b] - from[b];
-    return (to[a] - s) * up - (to[b] - t) * across >= -error * (std::abs(across) + std::abs(up));
+    return (to[a] - s) * (to[b] - from[b]) - (to[b] - t) * (to[a] - from[a]) >= 0;
   };
   return keeps(p1, p2) && keeps(p2, p3) && keeps(p3, p1);
 }
 
+// In the triangle's plane, with dot(altitude, p - p1) = 0 at p1 and 1 on the edge p2 p3.
+inline Vec3 altitude_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
+  const Vec3 unit_edge = normalize_or_zero(p3 - p2);
+  const Vec3 side = p1 - p3;
+  const Vec3 across = normalize_or_zero(dot(side, unit_edge) * unit_edge - side);
+  return across * (-1 / dot(across, side));
+}
+
+// Of a mesh's triangle: in double precision as far as POV-Ray's is, and single precision then. Points of
+// meshes are off their corners' planes by some 1e-7 of their size, and in the same way.
+inline MeshPlane mesh_plane_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
+  const Vec3 unit = normalize_or_zero(cross(p3 - p1, p2 - p1));
+  MeshPlane plane{glm::vec3(unit), static_cast<float>(dot(unit, p1))};
+  int a, b;
+  projection_axes(unit, a, b);
+  const bool exchange = needs_exchange(p1, p2, p3, a, b);
+  const Vec3 &first = exchange ? p2 : p1, &second = exchange ? p1 : p2;
+  const Vec3 unit_edge = normalize_or_zero(p3 - second);
+  const Vec3 side = first - p3;
+  glm::vec3 across(dot(side, unit_edge) * unit_edge - side);
+  across *= 1 / std::sqrt(across.x * across.x + across.y * across.y + across.z * across.z);
+  plane.altitude = across * (-1 / static_cast<float>(dot(Vec3(across), side)));
+  return plane;
+}
+
 // The two numbers u, v with N = N1 + u (N2 - N1 + v (N3 - N2)) at a point of the triangle.
-inline void smooth_weights(const Vec3& p1, const Vec3& p2, const Vec3& p3, const Vec3& p,
-                           double& u, double& v) {
+inline void smooth_weights(const Vec3& p1, const Vec3& p2, const Vec3& p3, const Vec3& altitude,
+                           const Vec3& p, double& u, double& v) {
   const Vec3 edge = p3 - p2;
   const Vec3 size = glm::abs(edge);
-  int axis = 0;
-  if (size.y > size.x) axis = 1;
-  if (size.z > size[axis]) axis = 2;
-  // Perpendicular to the edge in the plane, 1 at p2 seen from p1.
-  const Vec3 unit_edge = normalize_or_zero(edge);
-  const Vec3 side = p2 - p1;
-  Vec3 perpendicular = side - dot(side, unit_edge) * unit_edge;
-  perpendicular /= dot(perpendicular, side);
-  u = dot(p - p1, perpendicular);
+  // Ties prefer later axes.
+  const int axis = size.x > size.y && size.x > size.z ? 0 : (size.y > size.z ? 1 : 2);
+  u = dot(p - p1, altitude);
   v = u < 1e-10 ? 0 : ((p[axis] - p1[axis]) / u + p1[axis] - p2[axis]) / edge[axis];
 }
 

@@ -3,6 +3,7 @@
 
 #include "parser/parser.h"
 #include "parser/statements/shapes/shape_parsers.h"
+#include "tracer/shapes/triangle.h"
 
 namespace durer {
 namespace {
@@ -27,6 +28,7 @@ class MeshReader {
     const size_t face = mesh_.face_vertices.size();
     if (keep) {
       mesh_.face_vertices.push_back(append(mesh_.vertices, vertex));
+      mesh_.face_planes.push_back(mesh_plane_of(vertex[0], vertex[1], vertex[2]));
       if (smooth) set(mesh_.face_normals, face, append(mesh_.normals, normal));
     }
     bool textured = false;

@@ -18,6 +18,7 @@ size_t parse_count(Parser& parser, const char* what) {
 }
 
 Vec3 parse_item(Parser& parser, const glm::vec3*) { return parser.parse_vector(); }
+Vec3 parse_item(Parser& parser, const Vec3*) { return parser.parse_vector(); }
 Vec2 parse_item(Parser& parser, const Vec2*) { return parser.parse_uv(); }
 
 template <typename Item>
@@ -110,6 +111,21 @@ void parse_textures(Parser& parser, MeshNode& mesh) {
   parser.expect_close("texture_list");
 }
 
+// Single precision comes after they have been brought to length 1.
+void parse_normals(Parser& parser, MeshNode& mesh) {
+  std::vector<Vec3> given;
+  parse_list(parser, "normal_vectors", given);
+  mesh.normals.clear();
+  mesh.normals.reserve(given.size());
+  bool has_zero = false;
+  for (const Vec3& normal : given) {
+    const bool is_zero = length(normal) == 0;
+    has_zero |= is_zero;
+    mesh.normals.emplace_back(is_zero ? Vec3(1, 0, 0) : normalize_or_zero(normal));
+  }
+  if (has_zero) parser.warning("a normal of this mesh2 is the zero vector; <1,0,0> is used");
+}
+
 // The points' lists, in any order; the list of textures ends them.
 void parse_point_lists(Parser& parser, MeshNode& mesh) {
   bool has_vertices = false;
@@ -127,8 +143,7 @@ void parse_point_lists(Parser& parser, MeshNode& mesh) {
       has_vertices = true;
     } else if (parser.accept(Keyword::normal_vectors)) {
       fresh(!mesh.normals.empty(), "normal_vectors");
-      mesh.normals.clear();
-      parse_list(parser, "normal_vectors", mesh.normals);
+      parse_normals(parser, mesh);
     } else if (parser.accept(Keyword::uv_vectors)) {
       fresh(!mesh.uv.empty(), "uv_vectors");
       mesh.uv.clear();
@@ -139,14 +154,6 @@ void parse_point_lists(Parser& parser, MeshNode& mesh) {
   }
   if (mesh.vertices.empty()) parser.error("a mesh2 needs vertex_vectors");
   if (parser.accept(Keyword::texture_list)) parse_textures(parser, mesh);
-
-  bool zero_normal = false;
-  for (glm::vec3& n : mesh.normals) {
-    const Vec3 given(n);
-    zero_normal |= length(given) == 0;
-    n = length(given) == 0 ? Vec3(1, 0, 0) : normalize_or_zero(given);
-  }
-  if (zero_normal) parser.warning("a normal of this mesh2 is the zero vector; <1,0,0> is used");
 }
 
 // Lists of indices that were left out go with the vertices.
