@@ -17,6 +17,7 @@ Transform Transform::translation(const Vec3& by) {
   Transform t;
   t.forward.row[3] = by;
   t.inverse.row[3] = -by;
+  t.kind = TransformKind::translation;
   return t;
 }
 
@@ -28,6 +29,7 @@ Transform Transform::scaling(const Vec3& by) {
     t.forward.row[i][i] = by[i];
     t.inverse.row[i][i] = 1.0 / by[i];
   }
+  t.kind = TransformKind::scaling;
   return t;
 }
 
@@ -54,7 +56,9 @@ Transform Transform::rotation(const Vec3& degrees) {
   ry.row[2] = {sy, 0, cy};
   rz.row[0] = {cz, sz, 0};
   rz.row[1] = {-sz, cz, 0};
-  return from_orthonormal(rx * ry * rz);
+  Transform t = from_orthonormal(rx * ry * rz);
+  t.kind = TransformKind::rotation;
+  return t;
 }
 
 Transform Transform::axis_rotation(const Vec3& unit_axis, double radians) {

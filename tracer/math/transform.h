@@ -28,11 +28,17 @@ struct Matrix {
 // first, then second.
 Matrix operator*(const Matrix& first, const Matrix& second);
 
+// The statement that a transform is: several shapes take simple ones into their own numbers and keep
+// the others, `matrix` and `transform` among them whatever they do, as a matrix beside them
+// (spec/geometry.md 3).
+enum class TransformKind : unsigned char { translation, scaling, rotation, general };
+
 // A matrix with its inverse. The inverse of a rotation is its transpose, kept, not recomputed.
 struct Transform {
   // First, and so followed by readable memory: moving a ray reads four numbers a row.
   Matrix inverse;
   Matrix forward;
+  TransformKind kind = TransformKind::general;
 
   static Transform translation(const Vec3& by);
   // Components must be nonzero (the parser replaces zeros by 1 with a warning).

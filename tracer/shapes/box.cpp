@@ -1,7 +1,6 @@
 // box { <corner>, <corner> }                                         (spec/geometry.md 12.2)
 #include <algorithm>
 
-#include "tracer/math/transform_kind.h"
 #include "tracer/shapes/box_crossing.h"
 #include "tracer/shapes/shape.h"
 
@@ -67,7 +66,7 @@ class Box final : public Shape {
   }
 
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
-    const TransformKind kind = kind_of(transform);
+    const TransformKind kind = transform.kind;
     if (kind != TransformKind::translation && kind != TransformKind::scaling) return nullptr;
     return std::make_shared<Box>(transform.point(low_), transform.point(high_));
   }

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "tracer/math/transform_kind.h"
 
 namespace durer {
 
@@ -35,7 +34,7 @@ bool Plane::inside(const Vec3& p) const {
 }
 
 std::shared_ptr<const Shape> Plane::transformed(const Transform& transform) const {
-  switch (kind_of(transform)) {
+  switch (transform.kind) {
     case TransformKind::translation:
       return std::make_shared<Plane>(normal_,
                                      distance_ + dot(normal_, transform.forward.row[3]));

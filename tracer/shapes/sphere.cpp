@@ -4,7 +4,6 @@
 // it and makes it an ellipsoid.
 #include <cmath>
 
-#include "tracer/math/transform_kind.h"
 #include "tracer/shapes/shape.h"
 #include "tracer/shapes/sphere.h"
 #include "tracer/shapes/spherical_angle.h"
@@ -67,7 +66,7 @@ class Sphere final : public Shape {
   }
 
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
-    const TransformKind kind = kind_of(transform);
+    const TransformKind kind = transform.kind;
     double factor = 1;
     if (kind == TransformKind::scaling) {
       const Vec3 s{transform.forward.row[0].x, transform.forward.row[1].y,

@@ -12,7 +12,6 @@
 #include <cmath>
 
 #include "tracer/math/polynomial.h"
-#include "tracer/math/transform_kind.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
@@ -127,7 +126,7 @@ class SphereSweep final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override { return normal_of(p, hit); }
 
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override {
-    const TransformKind kind = kind_of(transform);
+    const TransformKind kind = transform.kind;
     double factor = 1;
     if (kind == TransformKind::scaling) {
       const Matrix& m = transform.forward;

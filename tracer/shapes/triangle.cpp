@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "tracer/math/transform_kind.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
@@ -77,7 +76,7 @@ class Triangle final : public Shape {
     for (int i = 0; i < 3; ++i) p[i] = transform.point(p_[i]);
     if (smooth_) {
       // Their lengths weigh them afterwards; only a scale makes them unit vectors again.
-      const bool is_scaling = kind_of(transform) == TransformKind::scaling;
+      const bool is_scaling = transform.kind == TransformKind::scaling;
       for (Vec3& one : n) {
         one = transform.normal(one);
         if (is_scaling) one = normalize_or_zero(one);
