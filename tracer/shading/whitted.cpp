@@ -305,16 +305,17 @@ struct LobeShares {
   if (!highlights) return shares;
   if (finish.phong > 0) {
     const double p = dot(mirrored(ray_direction, normal), to_light);
-    if (p > 0 && (finish.phong_size < 60 || p > 0.0008)) {
+    if (p > layer.dark_phong_cosine && (finish.phong_size < 60 || p > 0.0008)) {
       shares.highlight +=
           static_cast<float>(finish.phong * power(p, static_cast<double>(finish.phong_size)));
     }
   }
   if (finish.specular > 0) {
     const Vec3 half = 0.5 * (to_light - ray_direction);
-    const double size = length(half);
-    const double q = size > 0 ? dot(half, normal) / size : 0;
-    if (q > 0) {
+    const double along_normal = dot(half, normal), dark = layer.dark_specular_cosine;
+    const double squared = dot(half, half);
+    if (along_normal > 0 && along_normal * along_normal > dark * dark * squared) {
+      const double q = along_normal / std::sqrt(squared);
       shares.highlight += static_cast<float>(
           finish.specular * power(q, static_cast<double>(layer.highlight_exponent)));
     }

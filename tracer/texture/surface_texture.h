@@ -49,6 +49,9 @@ struct TextureLayer {
   std::shared_ptr<const FinishNode> finish;      // never null
   bool normal_keeps_length = false;              // no_bump_scale: perturb() gives any length
   float highlight_exponent = 20;  // 1/roughness
+  // Cosines up to which highlights are darker than 1e-12: not worth a power.
+  float dark_phong_cosine = 0;
+  float dark_specular_cosine = 0;
   bool is_mirror = false;         // the finish reflects rays
   bool is_lit = true;             // the finish answers to lights
   bool is_lit_when_clear = true;  // also where the pigment lets all light through
