@@ -1,7 +1,8 @@
 // One intersection or difference of convex solids and half spaces, the most usual CSG: a line's way
 // through the solids is one interval, from which those that are cut out take theirs. No point is asked
-// whether it lies inside. Where surfaces all but coincide, or a crossing is missing, the general way
-// decides (geometry.cpp).
+// whether it lies inside, but where surfaces all but coincide. Where a crossing is missing the general
+// way decides (geometry.cpp).
+#include <algorithm>
 #include <cmath>
 
 #include "tracer/intersect/bvh_walk.h"
@@ -150,6 +151,72 @@ struct Geometry::IntersectionSpans {
   return sweep;
 }
 
+// Whether a point lies in all solids of a flat intersection but one, by their own tests.
+bool Geometry::all_others_hold(const GeometryNode& node, uint32_t except, const Vec3& point) const {
+  const uint32_t* solid = lists.data() + node.swept.first;
+  for (uint32_t i = 0; i < node.swept.count; ++i) {
+    if (solid[i] != except && !inside_unclipped(solid[i], point)) return false;
+  }
+  if (node.tree < 0) return true;
+  const ChildTree& tree = *trees[node.tree];
+  const uint32_t* child = lists.data() + node.children.first;
+  bool held = true;
+  tree.bvh.visit_point(point, [&](uint32_t position) {
+    const uint32_t cut = child[tree.bounded[position]];
+    held = cut == except || inside_unclipped(cut, point);
+    return !held;
+  });
+  return held;
+}
+
+// In cases of doubt: the nearest crossing from just before a depth on that the tests of all other solids
+// let stand, where none before it does.
+[[gnu::noinline]] Geometry::Sweep Geometry::settle_sweep(const GeometryNode& node,
+                                                         const GeometryRay& ray, double from,
+                                                         double t_max,
+                                                         const IntersectionSpans& spans,
+                                                         HitStack& stack, ShapeHit& hit) const {
+  constexpr size_t kMost = 2 * kMostCuts;
+  Border border[kMost];
+  size_t count = 0;
+  const double start = std::max(from - 2 * doubt_at(from), kLeastHitDepth);
+  const auto add = [&](const Border& one) {
+    if (!one.is_crossing() || one.t < start || one.t >= t_max) return;
+    if (count < kMost) border[count] = one;
+    ++count;
+  };
+  for (int i = 0; i < spans.cuts; ++i) {
+    add(spans.cut[i].enter);
+    add(spans.cut[i].leave);
+  }
+  // Of the others only the ends of the way are known.
+  const uint32_t* solid = lists.data() + node.swept.first;
+  for (uint32_t i = 0; i < node.swept.count; ++i) {
+    const GeometryNode& member = nodes[solid[i]];
+    if (member.inverted && !member.is_half_space) continue;
+    SweptSolid swept(*this, member, ray);
+    swept.find_crossings(start, t_max, true, stack);
+    const LineHits& met = swept.crossings;
+    for (int k = 0; k < met.count; ++k) add({met.t[k], solid[i], met.part[k], false});
+  }
+  if (count > kMost) return Sweep::doubtful;
+
+  std::sort(border, border + count, [](const Border& a, const Border& b) { return a.t < b.t; });
+  for (size_t i = 0; i < count;) {
+    const double t = border[i].t;
+    const Vec3 point = ray.origin + t * ray.direction;
+    int kept = 0;
+    for (; i < count && border[i].t == t; ++i) {
+      if (!all_others_hold(node, border[i].node, point)) continue;
+      hit = {t, border[i].node, border[i].part, 0, 0};
+      ++kept;
+    }
+    // Which of equal ones wins depends on their order.
+    if (kept > 0) return kept == 1 ? Sweep::met : Sweep::doubtful;
+  }
+  return Sweep::missed;
+}
+
 Geometry::Sweep Geometry::sweep_convex_intersection(const GeometryNode& node,
                                                     const GeometryRay& ray, double t_max,
                                                     HitStack& stack, ShapeHit& hit) const {
@@ -157,8 +224,11 @@ Geometry::Sweep Geometry::sweep_convex_intersection(const GeometryNode& node,
   const Sweep sweep = find_spans(node, ray, t_max, stack, spans);
   if (sweep != Sweep::met) return sweep;
   const auto& [way, cut, cuts] = spans;
+  const auto settle_from = [&](double t) {
+    return settle_sweep(node, ray, t, t_max, spans, stack, hit);
+  };
   const auto end_at = [&](const Border& border) {
-    if (border.is_doubtful) return Sweep::doubtful;
+    if (border.is_doubtful) return settle_from(border.t);
     hit = {border.t, border.node, border.part, 0, 0};
     return Sweep::met;
   };
@@ -170,14 +240,14 @@ Geometry::Sweep Geometry::sweep_convex_intersection(const GeometryNode& node,
     const Span* around = nullptr;
     for (int i = 0; i < cuts && !around; ++i) {
       if (cut[i].leave.node == at.node) continue;
-      if (is_near(cut[i].enter) || is_near(cut[i].leave)) return Sweep::doubtful;
+      if (is_near(cut[i].enter) || is_near(cut[i].leave)) return settle_from(at.t);
       if (cut[i].enter.t <= at.t && at.t < cut[i].leave.t) around = &cut[i];
     }
     if (around) {
       at = around->leave;
       continue;
     }
-    if (is_near(way.leave)) return Sweep::doubtful;
+    if (is_near(way.leave)) return settle_from(at.t);
     if (at.t >= way.leave.t) return Sweep::missed;
     if (at.is_crossing() && at.t >= kLeastHitDepth) return end_at(at);
 

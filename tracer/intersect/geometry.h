@@ -140,6 +140,9 @@ class Geometry {
                      HitStack& stack, IntersectionSpans& spans) const;
   Sweep find_spans(const GeometryNode& node, const GeometryRay& ray, double t_max, HitStack& stack,
                    IntersectionSpans& spans) const;
+  bool all_others_hold(const GeometryNode& node, uint32_t except, const Vec3& point) const;
+  Sweep settle_sweep(const GeometryNode& node, const GeometryRay& ray, double from, double t_max,
+                     const IntersectionSpans& spans, HitStack& stack, ShapeHit& hit) const;
   // Pushes all hits; some, where it ends in doubt.
   Sweep sweep_all_of_intersection(const GeometryNode& node, const GeometryRay& ray, double t_max,
                                   HitStack& stack) const;
