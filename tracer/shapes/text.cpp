@@ -28,10 +28,12 @@ struct Edge {
 
   Vec2 point(double u) const {
     if (!curved) return a + u * (c - a);
-    return (1 - u) * (1 - u) * a + 2 * u * (1 - u) * b + u * u * c;
+    return (bend() * u + 2.0 * (b - a)) * u + a;
   }
+  // Of u squared in point(u) of a parabola: about 0 where its control point halves a to c.
+  Vec2 bend() const { return a - 2.0 * b + c; }
   Vec2 tangent(double u) const {
-    return curved ? 2 * (1 - u) * (b - a) + 2 * u * (c - b) : c - a;
+    return curved ? 2.0 * (bend() * u + (b - a)) : c - a;
   }
 };
 
@@ -105,7 +107,8 @@ class EdgeRows {
 int solve_edge(const double* q, double* roots) {
   double found[2];
   int count = 0;
-  if (std::abs(q[0]) < 1e-20) {
+  // Straight but for rounding.
+  if (std::abs(q[0]) < kGeometryEpsilon) {
     if (q[1] == 0) return 0;
     found[count++] = -q[2] / q[1];
   } else {
@@ -160,7 +163,8 @@ class Glyph final : public Shape {
       if (e.curved) {
         const double b = side(e.b);
         if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) return;
-        const double q[3] = {a - 2 * b + c, 2 * (b - a), a};
+        const Vec2 bend = e.bend(), start = e.b - e.a;
+        const double q[3] = {d.x * bend.y - d.y * bend.x, 2 * (d.x * start.y - d.y * start.x), a};
         count = solve_edge(q, u);
       } else {
         if (std::abs(c - a) < kGeometryEpsilon) return;
@@ -170,7 +174,7 @@ class Glyph final : public Shape {
       for (int k = 0; k < count; ++k) {
         const Vec2 at = e.point(u[k]);
         const double t =
-            std::abs(d.x) > std::abs(d.y) ? (at.x - p.x) / d.x : (at.y - p.y) / d.y;
+            std::abs(d.x) > kGeometryEpsilon ? (at.x - p.x) / d.x : (at.y - p.y) / d.y;
         const double z = p.z + t * d.z;
         if (z >= 0 && z <= depth_ && t > 1e-6) out.push_with_parameter(t, i + 2, u[k]);
       }
@@ -244,7 +248,7 @@ class Glyph final : public Shape {
       }
       const double a = e.a.y - y, b = e.b.y - y, c = e.c.y - y;
       if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) continue;
-      const double q[3] = {a - 2 * b + c, 2 * (b - a), a};
+      const double q[3] = {e.bend().y, 2 * (e.b.y - e.a.y), a};
       double u[2];
       for (int k = solve_edge(q, u); k-- > 0;) {
         // At an end the curve must cross there, so that neighbours do not both count.
