@@ -149,7 +149,7 @@ void ResolvedObject::move(const Transform& by) {
   if (kind == Kind::copy) {
     transform = has_transform ? transform->then(by) : by;
     has_transform = true;
-    if (!box.is_infinite()) box = box.transformed(by);
+    box = box.transformed(by);
     return;
   }
   switch (kind) {
@@ -165,7 +165,7 @@ void ResolvedObject::move(const Transform& by) {
       }
       break;
     case Kind::light: light = moved(*light, by); break;
-    case Kind::csg: box = box.is_infinite() ? box : box.transformed(by); break;
+    case Kind::csg: box = box.transformed(by); break;
     case Kind::copy: break;
   }
   for (ResolvedObject& child : children) child.move(by);

@@ -82,10 +82,13 @@ bool encloses(const Bounds& box, const Bounds& surface) {
          glm::all(glm::greaterThanEqual(box.max + margin, surface.max));
 }
 
+bool is_exempt(const GeometryNode& node) {
+  return node.kind == NodeKind::shape && node.shape->is_exempt_from_box_test();
+}
+
 // Some shapes are, where there is no hierarchy.
 bool is_seen_outside_box(const GeometryNode& node, const ObjectSet& set) {
-  return !set.uses_bounding && node.kind == NodeKind::shape &&
-         node.shape->is_exempt_from_box_test();
+  return !set.uses_bounding && is_exempt(node);
 }
 
 // The finish of a plain texture has a say in the interior (spec/shading.md 11.2): of the top layer
@@ -504,9 +507,13 @@ bool ObjectSet::is_tested_first(uint32_t a, uint32_t b, const Vec3& origin,
 void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
   set.uses_bounding = uses_bounding;
   for (TopLevelObject& top : set.objects) {
-    if (top.instance >= 0 || top.box.is_infinite()) continue;
+    if (top.instance >= 0) continue;
     const GeometryNode& node = data_.geometry.nodes[top.node];
-    if (is_seen_outside_box(node, set)) continue;
+    // What is too large for the hierarchy is tested on its own, too.
+    if (top.box.is_infinite() ? is_exempt(node) || !top.box.to_bounds().is_bounded()
+                              : is_seen_outside_box(node, set)) {
+      continue;
+    }
     top.is_cut_off = !node.surface_is_bounded || !encloses(top.box.to_bounds(), node.reach);
   }
   fill_search_list(
