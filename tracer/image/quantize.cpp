@@ -24,10 +24,11 @@ float clip(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f; }
 constexpr int kMostTabulated = 1023;
 
 // Values in (0,1] by their exponent and the first bits of their mantissa.
-constexpr uint32_t kIndexShift = 23 - 6;
+constexpr uint32_t kIndexBits = 7;
+constexpr uint32_t kIndexShift = 23 - kIndexBits;
 constexpr uint32_t kLeastExponent = 127 - 20;  // below 2^-20 all curves give code 0 or nearly so
-constexpr uint32_t kFirstIndex = kLeastExponent << 6;
-constexpr uint32_t kLastIndex = 127u << 6;  // of 1.0
+constexpr uint32_t kFirstIndex = kLeastExponent << kIndexBits;
+constexpr uint32_t kLastIndex = 127u << kIndexBits;  // of 1.0
 
 uint32_t table_index(float value) {
   const uint32_t index = std::bit_cast<uint32_t>(value) >> kIndexShift;
@@ -108,9 +109,11 @@ CodeTable::CodeTable(const OutputTransfer& transfer, int most)
     }
     least_.push_back(std::bit_cast<float>(low));
   }
+  // No value is as much as that: searches end there.
+  least_.push_back(std::numeric_limits<float>::quiet_NaN());
   for (uint32_t i = kFirstIndex; i <= kLastIndex + 1; ++i) {
     const float start = i == kFirstIndex ? 0 : std::bit_cast<float>((i - 1) << kIndexShift);
-    const auto above = std::upper_bound(least_.begin(), least_.end(), start);
+    const auto above = std::upper_bound(least_.begin(), least_.end() - 1, start);
     first_.push_back(static_cast<uint16_t>(above - least_.begin() - 1));
   }
 }
@@ -119,12 +122,20 @@ uint16_t CodeTable::code_by_curve(float value) const {
   return static_cast<uint16_t>(std::floor(clip(transfer_(value)) * most_ + 0.5f));
 }
 
-uint16_t CodeTable::operator()(float value) const {
-  if (least_.empty()) return code_by_curve(value);
+inline uint16_t CodeTable::operator()(float value) const {
+  if (least_.empty()) [[unlikely]] return code_by_curve(value);
   if (!(value > 0)) return 0;
   size_t code = first_[table_index(value)];
-  while (code + 1 < least_.size() && value >= least_[code + 1]) ++code;
+  while (value >= least_[code + 1]) ++code;
   return static_cast<uint16_t>(code);
+}
+
+void CodeTable::encode_colors(const PixelColor* pixels, int count, uint16_t* out) const {
+  for (const PixelColor* pixel = pixels; pixel != pixels + count; ++pixel) {
+    *out++ = (*this)(pixel->color.red);
+    *out++ = (*this)(pixel->color.green);
+    *out++ = (*this)(pixel->color.blue);
+  }
 }
 
 Quantizer::Quantizer(const PixelFormat& format, int width)
@@ -139,6 +150,10 @@ Quantizer::Quantizer(const PixelFormat& format, int width)
 void Quantizer::quantize_row(int y, const PixelColor* pixels, uint16_t* out) {
   const size_t channels = static_cast<size_t>(format_.channels());
   const size_t colors = format_.greyscale ? 1 : 3;
+  if (channels == 3 && format_.dither == DitherMethod::none) {
+    codes_.encode_colors(pixels, width_, out);
+    return;
+  }
   for (int x = 0; x < width_; ++x) {
     RGB color = pixels[x].color;
     float alpha = 1 - pixels[x].transmit;

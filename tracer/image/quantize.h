@@ -54,13 +54,15 @@ class CodeTable {
  public:
   CodeTable(const OutputTransfer& transfer, int most);
   uint16_t operator()(float value) const;
+  // Red, green, blue of each pixel.
+  void encode_colors(const PixelColor* pixels, int count, uint16_t* out) const;
 
  private:
   uint16_t code_by_curve(float value) const;
 
   OutputTransfer transfer_;
   float most_;
-  std::vector<float> least_;      // by code; of code 0: -infinity. Empty: too many codes
+  std::vector<float> least_;      // by code; of code 0: -infinity; NaN last. Empty: too many codes
   std::vector<uint16_t> first_;   // by the leading bits of a value: the code to look from
 };
 

@@ -44,6 +44,7 @@ ValueRange BasePattern::base_range(const Bounds&) const {
 
 Pattern::Pattern(const PatternNode& node, const PatternSettings& settings)
     : node_(node),
+      only_warp_(node_.warps.size() == 1 ? std::get_if<Transform>(&node_.warps[0]) : nullptr),
       displaces_(node.has_turbulence && !uses_turbulence_itself(node.kind) &&
                  node.turbulence.strength != Vec3(0)) {
   const PatternFactory factory = find_pattern_factory(node.kind);
@@ -54,8 +55,10 @@ Pattern::Pattern(const PatternNode& node, const PatternSettings& settings)
 }
 
 Vec3 Pattern::warp_point(const Vec3& p) const {
-  Vec3 q = node_.warps.empty() ? p : apply_warps(node_.warps, p);
-  if (displaces_) {
+  Vec3 q = only_warp_             ? kept_near(only_warp_->inverse_point(p))
+           : node_.warps.empty() ? p
+                                 : apply_warps(node_.warps, p);
+  if (displaces_) [[unlikely]] {
     const Turbulence& t = node_.turbulence;
     q += t.strength * vector_turbulence(q, t.octaves, t.omega, t.lambda);
   }

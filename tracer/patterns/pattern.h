@@ -77,6 +77,8 @@ const char* pattern_name(PatternKind kind);
 class Pattern : public ScalarField {
  public:
   Pattern(const PatternNode& node, const PatternSettings& settings);
+  Pattern(const Pattern&) = delete;
+  Pattern& operator=(const Pattern&) = delete;
 
   // The point that the pattern (and children of its map) sees.
   Vec3 warp_point(const Vec3& p) const;
@@ -97,12 +99,17 @@ class Pattern : public ScalarField {
   ValueRange range_of_waves(ValueRange range) const;
 
   PatternNode node_;
-  bool displaces_;           // the turbulence slot moves the point
+  const Transform* only_warp_;  // null: there is none, or not this one alone
+  bool displaces_;              // the turbulence slot moves the point
   std::unique_ptr<const BasePattern> base_;
 };
 
 // The chain of spec/textures.md 5 applied to a point, `warps` in the order of the text; the
 // pattern's own turbulence slot is not part of it. For image_map, uv-mapped children and the like.
 Vec3 apply_warps(const std::vector<Warp>& warps, Vec3 p);
+// Further out than this nothing is meant (spec/textures.md 5).
+[[gnu::always_inline]] inline Vec3 kept_near(const Vec3& warped) {
+  return glm::clamp(warped, Vec3(-1e17), Vec3(1e17));
+}
 
 }  // namespace durer

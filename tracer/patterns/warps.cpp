@@ -121,8 +121,7 @@ Vec3 apply_warps(const std::vector<Warp>& warps, Vec3 p) {
   for (auto it = warps.rbegin(); it != warps.rend(); ++it) {
     p = std::visit([&](const auto& w) { return warp(w, p); }, *it);
   }
-  // Further out than this nothing is meant (spec/textures.md 5).
-  return glm::clamp(p, Vec3(-1e17), Vec3(1e17));
+  return kept_near(p);
 }
 
 }  // namespace durer
