@@ -53,45 +53,52 @@ void PixelSampler::interiors_at(const Vec3& point, InteriorList& list) const {
   for (int i = 0; i < count; ++i) list.append(found[i]);
 }
 
-RayResult PixelSampler::trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
-                              const BvhBeam* beam) const {
-  TracedRay traced;
-  traced.origin = ray.origin;
-  traced.direction = ray.direction;
-  traced.max_depth = max_depth_;
-  traced.kind.primary = true;
-  traced.path = path;
-  traced.beam = beam;
+TracedRay PixelSampler::primary_ray() const {
+  TracedRay primary;
+  primary.max_depth = max_depth_;
+  primary.kind.primary = true;
+  primary.interiors = interiors_of_first_ray_;
+  return primary;
+}
+
+[[gnu::always_inline]] inline RayResult PixelSampler::trace(TracedRay& primary, const Ray& ray,
+                                                            uint64_t path,
+                                                            RenderStatistics& statistics) const {
+  primary.origin = ray.origin;
+  primary.direction = ray.direction;
+  primary.path = path;
   if (looks_around_) {
-    interiors_at(ray.origin, traced.interiors);
-  } else {
-    traced.interiors = interiors_of_first_ray_;
+    primary.interiors = {};
+    interiors_at(ray.origin, primary.interiors);
   }
   ++statistics.rays.primary;
-  return integrator_.trace(traced, statistics.rays);
+  return integrator_.trace(primary, statistics.rays);
 }
 
 PixelColor PixelSampler::sample(double x, double y, RenderStatistics& statistics) const {
   ++statistics.samples;
   const PixelColor none{RGB(0.0f), 1};
   const uint64_t path = path_of(x, y);
+  TracedRay primary = primary_ray();
   Ray ray;
   if (focal_blur_) {
     return focal_blur_->sample(x, y, [&](double sx, double sy, const Vec2& lens, int number) {
       if (!camera_.generate_lens_ray(sx + 0.5, sy + 0.5, lens, ray)) return none;
-      return color_of(trace(ray, extend_path(path, static_cast<uint64_t>(number)), statistics));
+      return color_of(
+          trace(primary, ray, extend_path(path, static_cast<uint64_t>(number)), statistics));
     });
   }
   if (camera_.rays_per_pixel() == 1) {
-    return camera_.generate_ray(x + 0.5, y + 0.5, 0, ray) ? color_of(trace(ray, path, statistics))
-                                                          : none;
+    if (!camera_.generate_ray(x + 0.5, y + 0.5, 0, ray)) return none;
+    return color_of(trace(primary, ray, path, statistics));
   }
   // The mean of those rays that exist.
   PixelColor sum;
   int count = 0;
   for (int i = 0; i < camera_.rays_per_pixel(); ++i) {
     if (!camera_.generate_ray(x + 0.5, y + 0.5, i, ray)) continue;
-    const RayResult seen = trace(ray, extend_path(path, static_cast<uint64_t>(i)), statistics);
+    const RayResult seen =
+        trace(primary, ray, extend_path(path, static_cast<uint64_t>(i)), statistics);
     sum.color += seen.color;
     sum.transmit += seen.transmit;
     ++count;
@@ -118,15 +125,15 @@ void PixelSampler::sample_together(const Vec2* places, int count, PixelColor* co
       number[rays++] = i;
     }
   }
+  TracedRay primary = primary_ray();
   BvhBeam beam;
-  const bool is_beam = rays > 1 && scene_.world->make_beam(ray, rays, max_depth_, beam);
+  if (rays > 1 && scene_.world->make_beam(ray, rays, max_depth_, beam)) primary.beam = &beam;
   // Copied when all are there: a copy of what was just written by components waits for them.
   Uncleared<RayResult> seen[kMostTogether];
   for (int i = 0; i < rays; ++i) {
     const Vec2& place = places[number[i]];
-    seen[i].emplace_result([&] {
-      return trace(ray[i], path_of(place.x, place.y), statistics, is_beam ? &beam : nullptr);
-    });
+    seen[i].emplace_result(
+        [&] { return trace(primary, ray[i], path_of(place.x, place.y), statistics); });
   }
   for (int i = 0; i < rays; ++i) colors[number[i]] = color_of(seen[i].value);
 }

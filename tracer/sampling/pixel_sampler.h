@@ -24,8 +24,11 @@ class PixelSampler {
                        RenderStatistics& statistics) const;
 
  private:
-  RayResult trace(const Ray& ray, uint64_t path, RenderStatistics& statistics,
-                  const BvhBeam* beam = nullptr) const;
+  // What all rays from the camera share.
+  TracedRay primary_ray() const;
+  // Traces `primary`, which gets this ray and path.
+  RayResult trace(TracedRay& primary, const Ray& ray, uint64_t path,
+                  RenderStatistics& statistics) const;
   void interiors_at(const Vec3& point, InteriorList& list) const;
   void find_interiors_of_first_ray(int width, int height);
 
