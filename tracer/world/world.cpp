@@ -14,8 +14,6 @@
 namespace durer {
 namespace {
 
-constexpr double kLeastShadowDepth = 1e-3;
-
 uint8_t kind_bits(const RayClass& kind) {
   int bits = kind.reflected * kReflectionRay | kind.shadow * kShadowRay | kind.photon * kPhotonRay |
              kind.radiosity * kRadiosityRay;
@@ -182,7 +180,7 @@ struct OcclusionSearch {
                          ? item.shape->closest(ray, stack, hit)
                          : closest_moved(*item.shape, data.geometry.transforms[item.transform], hit);
     stack.count_test(item.shape_kind, met);
-    return met && (hit.t > kLeastShadowDepth || a_later_hit_blocks(item));
+    return met;
   }
 
   [[gnu::noinline]] bool other_blocks(const SearchItem& item) {
@@ -200,20 +198,7 @@ struct OcclusionSearch {
     }
     if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
     ShapeHit hit;
-    if (!data.geometry.closest(item.node, ray, ray.t_max, stack, hit)) return false;
-    return hit.t > kLeastShadowDepth || a_later_hit_blocks(item);
-  }
-
-  // Where the nearest hit is too near to count.
-  [[gnu::noinline]] bool a_later_hit_blocks(const SearchItem& item) {
-    const size_t base = stack.size();
-    data.geometry.all_hits(item.node, ray, {0, ray.t_max}, stack);
-    bool found = false;
-    for (size_t i = base; i < stack.size(); ++i) {
-      found |= stack[i].t > kLeastShadowDepth && stack[i].t < ray.t_max;
-    }
-    stack.shrink(base);
-    return found;
+    return data.geometry.closest(item.node, ray, ray.t_max, stack, hit);
   }
 
   [[gnu::noinline]] bool closest_moved(const Shape& shape, const Transform& transform,

@@ -145,7 +145,8 @@ class World {
   bool make_beam(const Ray* rays, int count, double max_t, BvhBeam& beam) const;
   void surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
                      SurfacePoint& out) const;
-  // True if an object whose textures are all opaque and which casts shadows lies at 1e-3 < t < max_t.
+  // True if an object whose textures are all opaque and which casts shadows lies at t < max_t, not
+  // nearer than any hit may be.
   // Objects that let light through: closest_clear_hit.
   // `light`: a hint, rays towards one light are often stopped by one object.
   bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
