@@ -70,6 +70,17 @@ class Formats(RenderCase):
             theirs, ours = ((self.folder / name).read_bytes() for name in ("theirs.bmp", "ours.bmp"))
             self.assertEqual(ours[:54], theirs[:54])
 
+    def test_bytes_of_targa(self):
+        """All but the extension area, where povray says when and where it was compiled."""
+        for scene, options in (("linear.pov", ("+FT",)), ("clear.pov", ("+FT", "+UA")),
+                               ("linear.pov", ("+FC",)), ("clear.pov", ("+FC", "+UA")),
+                               ("curved.pov", ("+FC", "File_Gamma=1.8"))):
+            self.compare(scene, *options)
+            theirs, ours = ((self.folder / name).read_bytes() for name in ("theirs.tga", "ours.tga"))
+            extension = int.from_bytes(theirs[-26:-22], "little")
+            self.assertEqual(ours[:extension + 2], theirs[:extension + 2])
+            self.assertEqual(ours[extension + 470:], theirs[extension + 470:])
+
     def test_dithering(self):
         for method in ("B2", "B3", "B4", "D1", "D2", "FS"):
             self.compare("linear.pov", "+FN", "+TH" + method)

@@ -23,8 +23,6 @@ ImageFileLayout layout_of(const Picture& picture, const PictureOutput& output,
     default: layout.gamma = output.format.file.gamma;
   }
   switch (output.type) {
-    case PictureFileType::tga: layout.format = "tga", compression = "none"; break;
-    case PictureFileType::tga_rle: layout.format = "tga", compression = "rle"; break;
     case PictureFileType::jpeg: {
       layout.format = "jpg";
       const int quality =

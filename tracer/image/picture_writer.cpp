@@ -49,6 +49,8 @@ void encode(std::FILE* file, const std::string& name, const Picture& picture,
       encode_pnm(file, picture, output);
     } else if (output.type == PictureFileType::bmp) {
       encode_bmp(file, picture, output);
+    } else if (output.type == PictureFileType::tga || output.type == PictureFileType::tga_rle) {
+      encode_tga(file, picture, output);
     } else {
       encode_with_openimageio(file, picture, output);
     }
@@ -57,10 +59,20 @@ void encode(std::FILE* file, const std::string& name, const Picture& picture,
   }
 }
 
+bool needs_seeking(PictureFileType type) {
+  switch (type) {
+    case PictureFileType::png:
+    case PictureFileType::ppm:
+    case PictureFileType::bmp:
+    case PictureFileType::tga:
+    case PictureFileType::tga_rle: return false;
+    default: return true;
+  }
+}
+
 void write_to_standard_output(const Picture& picture, const PictureOutput& output) {
   const std::string name = "standard output";
-  if (output.type == PictureFileType::png || output.type == PictureFileType::ppm ||
-      output.type == PictureFileType::bmp) {
+  if (!needs_seeking(output.type)) {
     encode(stdout, name, picture, output);
   } else {
     // A pipe cannot seek.

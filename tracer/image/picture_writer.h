@@ -1,5 +1,5 @@
-// Picture files: PNG through libpng, PPM by itself, all other formats through the module with
-// OpenImageIO.
+// Picture files: PNG through libpng, PPM, BMP and Targa by itself, all other formats through the module
+// with OpenImageIO.
 #pragma once
 
 #include <cstdio>
@@ -27,6 +27,7 @@ void write_picture_file(const std::string& path, const Picture& picture,
 void encode_png(std::FILE* file, const Picture& picture, const PictureOutput& output);
 void encode_pnm(std::FILE* file, const Picture& picture, const PictureOutput& output);
 void encode_bmp(std::FILE* file, const Picture& picture, const PictureOutput& output);
+void encode_tga(std::FILE* file, const Picture& picture, const PictureOutput& output);
 // `file` must be open for reading, too, and able to seek.
 void encode_with_openimageio(std::FILE* file, const Picture& picture, const PictureOutput& output);
 
