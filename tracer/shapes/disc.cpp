@@ -39,7 +39,7 @@ class Disc final : public Shape {
 }  // namespace
 
 PlacedShape compile(const DiscNode& node, const ShapeContext&) {
-  const Vec3 normal = unit_or_zero(node.normal);
+  const Vec3 normal = normalize_or_zero(node.normal);
   if (normal == Vec3(0)) return {};
   return {std::make_shared<Disc>(node.radius, node.hole_radius), true,
           Transform::rotation_from_z(normal).then(Transform::translation(node.center))};

@@ -282,7 +282,7 @@ class HeightField final : public Shape {
     const Vec3 p = placed_.inverse_point(world_point);
     const double s = p.x - x, t = p.z - z;
     const auto corner = [&](int i, int j) {
-      return normalize_or_zero(placed_.normal(normals_->at(x + i, z + j)));
+      return unit_or_zero(placed_.normal(normals_->at(x + i, z + j)));
     };
     return (1 - t) * ((1 - s) * corner(0, 0) + s * corner(1, 0)) +
            t * ((1 - s) * corner(0, 1) + s * corner(1, 1));
