@@ -8,7 +8,7 @@ background { rgb <0.3, 0.4, 0.6> }
   pigment { function { mod(x * pow(2, 46), 1) + 0.5 } }
   finish { ambient 1 diffuse 0 }
 }
-polygon { 5, <-9, -9, 5>, <9, -9, 5>, <9, 9, 5>, <-9, 9, 5>, <-9, -9, 5> texture { Digits } }
+box { <-9, -9, 5>, <9, 9, 6> texture { Digits } }
 #declare Hills = height_field {
   function 9, 7 { pattern { bumps scale 0.2 } }
   smooth
