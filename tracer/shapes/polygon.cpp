@@ -111,13 +111,15 @@ PlacedShape compile(const PolygonNode& node, const ShapeContext&) {
   if (!found) return {};
   const Vec3 w0 = cross(u0, v0);
   const Vec3 u = unit_or_zero(cross(v0, w0)), w = unit_or_zero(w0);
-  Matrix matrix;
-  matrix.row[0] = u;
-  matrix.row[1] = unit_or_zero(cross(w, u));
-  matrix.row[2] = w;
-  matrix.row[3] = origin;
-  Transform frame;
-  if (!Transform::from_matrix(matrix, frame)) return {};
+  // Inverted by exchanging rows and columns, as povray does it: the last digits show it.
+  Transform turn;
+  turn.forward.row[0] = u;
+  turn.forward.row[1] = unit_or_zero(cross(w, u));
+  turn.forward.row[2] = w;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      turn.inverse.row[row][column] = turn.forward.row[column][row];
+  const Transform frame = turn.then(Transform::translation(origin));
 
   std::vector<Vec2> flat;
   for (const Vec3& p : points) {

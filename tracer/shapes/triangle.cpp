@@ -63,6 +63,7 @@ class Triangle final : public Shape {
 
   bool inside(const Vec3&) const override { return false; }
 
+  bool has_unit_normals() const override { return !smooth_; }
   Vec3 normal(const Vec3& p, const ShapeHit&) const override {
     if (!smooth_) return normal_;
     double u, v;
@@ -79,7 +80,7 @@ class Triangle final : public Shape {
       const bool is_scaling = transform.kind == TransformKind::scaling;
       for (Vec3& one : n) {
         one = transform.normal(one);
-        if (is_scaling) one = normalize_or_zero(one);
+        if (is_scaling) one = unit_or_zero(one);
       }
     }
     return make(p, n, smooth_);
@@ -116,7 +117,7 @@ PlacedShape compile(const TriangleNode& node, const ShapeContext&) {
 
 PlacedShape compile(const SmoothTriangleNode& node, const ShapeContext&) {
   std::array<Vec3, 3> normals;
-  for (int i = 0; i < 3; ++i) normals[i] = normalize_or_zero(node.normal[i]);
+  for (int i = 0; i < 3; ++i) normals[i] = unit_or_zero(node.normal[i]);
   return {Triangle::make(node.vertex, normals, true), false, {}};
 }
 

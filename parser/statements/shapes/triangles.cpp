@@ -50,7 +50,7 @@ ShapeNode parse_smooth_triangle(Parser& parser) {
   for (int i = 0; i < 3; ++i) {
     node.vertex[i] = parser.parse_vector();
     parser.accept_comma();
-    node.normal[i] = normalize_or_zero(parser.parse_vector());
+    node.normal[i] = parser.parse_vector();
     if (i < 2) parser.accept_comma();
   }
   // All three normals must lie on one side of the triangle.
