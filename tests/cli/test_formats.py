@@ -74,7 +74,8 @@ class Formats(RenderCase):
         """All but the extension area, where povray says when and where it was compiled."""
         for scene, options in (("linear.pov", ("+FT",)), ("clear.pov", ("+FT", "+UA")),
                                ("linear.pov", ("+FC",)), ("clear.pov", ("+FC", "+UA")),
-                               ("curved.pov", ("+FC", "File_Gamma=1.8"))):
+                               ("curved.pov", ("+FC", "File_Gamma=1.8")), ("curved.pov", ("+FT",)),
+                               ("linear.pov", ("+FT", "File_Gamma=1.0")), ("old.pov", ("+FT",))):
             self.compare(scene, *options)
             theirs, ours = ((self.folder / name).read_bytes() for name in ("theirs.tga", "ours.tga"))
             extension = int.from_bytes(theirs[-26:-22], "little")

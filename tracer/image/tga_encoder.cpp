@@ -60,16 +60,20 @@ Bytes header_of(int width, int height, size_t channels, bool is_packed) {
   return header;
 }
 
-// The extension area, with the gamma, and the footer.
+float gamma_of(const TransferCurve& curve) {
+  return curve.kind == TransferCurve::Kind::srgb ? 2.2f : curve.gamma;
+}
+
+// The extension area, with the gamma that is left to the file by the scene's, and the footer.
 Bytes trailer_of(const PixelFormat& format, uint32_t place) {
   constexpr uint32_t kExtension = 495, kGammaUnit = 6553;
-  const double gamma = format.file.kind == TransferCurve::Kind::srgb ? 2.2 : format.file.gamma;
+  const float gamma = gamma_of(format.file) / gamma_of(format.working);
   Bytes trailer;
   trailer.word(kExtension);
   trailer.zeros(424);  // author, comments, time, job
   trailer.text("durer", 41);
   trailer.zeros(11);  // version, key colour, shape of pixels
-  trailer.word(static_cast<uint32_t>(std::min(gamma * kGammaUnit, 65535.0)));
+  trailer.word(static_cast<uint32_t>(std::min(gamma * static_cast<float>(kGammaUnit), 65535.0f)));
   trailer.word(kGammaUnit);
   trailer.zeros(8);                     // no corrections, no small picture
   trailer.long_word(kHeader);           // where povray says that a table of the rows is

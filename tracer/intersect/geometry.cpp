@@ -283,8 +283,9 @@ bool Geometry::closest_of_union(const GeometryNode& node, const GeometryRay& ray
     if (!takes_part(node, member, ray.kind)) return;
     if (member.bounds.count && !passes_bounds(member, ray, stack)) return;
     const double limit = position >= 0 && i > position ? just_beyond(best) : best;
-    // Hierarchies have looked at the boxes; other composites look at their own.
-    if (node.tree < 0 && member.is_boxed && (member.kind == NodeKind::shape || member.is_flat)) {
+    // Hierarchies have looked at the boxes; intersections and merges look at their own.
+    if (node.tree < 0 && member.is_boxed &&
+        (member.kind == NodeKind::shape || member.kind == NodeKind::union_ || member.is_flat)) {
       Interval reach{kLeastHitDepth, limit};
       if (!clip_to(member.reach, ray, reach)) return;
     }
@@ -396,7 +397,7 @@ bool Geometry::closest(uint32_t index, const GeometryRay& ray, double t_max, Hit
 
 void Geometry::finish_node(uint32_t index) {
   GeometryNode& node = nodes[index];
-  if (node.kind == NodeKind::merge) take_in_merges(node);
+  if (node.kind == NodeKind::merge || node.kind == NodeKind::union_) take_in_own_kind(node);
   enclose(index);
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
@@ -446,25 +447,31 @@ void Geometry::finish_node(uint32_t index) {
   }
 }
 
-// A merge of merges is one of all their members: where those are many, one hierarchy holds them. Hits
-// come in the same order, as a composite passes on its members' hits reversed.
-void Geometry::take_in_merges(GeometryNode& node) {
+// A merge of merges is one of all their members: where those are many, one hierarchy holds them. So are
+// unions of unions, but for those that have a hierarchy: it serves as well. Hits come in the same order,
+// as a merge passes on its members' hits reversed and a union as they are.
+void Geometry::take_in_own_kind(GeometryNode& node) {
   std::vector<uint32_t> all;
+  const bool is_merge = node.kind == NodeKind::merge;
   for (uint32_t i = 0; i < node.children.count; ++i) {
     const uint32_t child = lists[node.children.first + i];
     const GeometryNode& member = nodes[child];
     const uint32_t* own = lists.data() + member.children.first;
     const bool is_plain =
-        member.kind == NodeKind::merge && !member.hidden && member.clips.count == 0 &&
-        member.bounds.count == 0 &&
+        member.kind == node.kind && (is_merge || member.tree < 0) && !member.hidden &&
+        member.clips.count == 0 && member.bounds.count == 0 &&
         std::all_of(own, own + member.children.count, [&](uint32_t c) { return !nodes[c].hidden; });
     if (!is_plain) {
       all.push_back(child);
       continue;
     }
-    for (uint32_t k = member.children.count; k-- > 0;) all.push_back(own[k]);
+    if (is_merge) {
+      for (uint32_t k = member.children.count; k-- > 0;) all.push_back(own[k]);
+    } else {
+      all.insert(all.end(), own, own + member.children.count);
+    }
   }
-  if (all.size() == node.children.count || all.size() < kTreeThreshold) return;
+  if (all.size() == node.children.count || (is_merge && all.size() < kTreeThreshold)) return;
   node.children = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(all.size())};
   lists.insert(lists.end(), all.begin(), all.end());
 }

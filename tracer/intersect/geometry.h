@@ -157,7 +157,7 @@ class Geometry {
   template <typename Visit>
   void for_each_child_met(const GeometryNode& node, const GeometryRay& ray,
                           const Interval& interval, Visit&& visit) const;
-  void take_in_merges(GeometryNode& node);
+  void take_in_own_kind(GeometryNode& node);
   void enclose(uint32_t node);
   bool keeps_hit(const GeometryNode& node, uint32_t child, const Vec3& point, uint8_t kind) const;
   bool takes_part(const GeometryNode& parent, const GeometryNode& child, uint8_t kind) const;
