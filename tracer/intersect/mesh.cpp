@@ -59,10 +59,12 @@ class Mesh final : public Shape {
       hits_of_patches(local, out);
       return;
     }
+    const size_t first = out.size();
     for_each_candidate(local, kGreatestDepth, [&](uint32_t face, bool is_sure, double&) {
       const double depth = depth_of(local, face, is_sure);
       if (depth >= 0) out.push(depth / local.length, face);
     });
+    if (!embree_) put_ties_in_order(local, first, out);
   }
 
   bool closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const override {
@@ -71,7 +73,8 @@ class Mesh final : public Shape {
     double best = std::min(ray.t_max * local.length, kGreatestDepth * (1 + 1e-15));
     bool found = false;
     const auto consider = [&](uint32_t face, double depth) {
-      if (depth < least || depth > best || (depth == best && (!found || face > hit.part))) return;
+      if (depth < least || depth > best) return;
+      if (depth == best && (!found || !is_found_later(local, face, hit.part))) return;
       best = depth;
       hit.part = face;
       found = true;
@@ -270,9 +273,7 @@ class Mesh final : public Shape {
     return covers(c.p[exchange ? 1 : 0], c.p[exchange ? 0 : 1], c.p[2], a, b, s, t) ? depth : -1;
   }
 
-  // Without inside_vector the walk ends where the next box starts behind the hit found last: what lies
-  // behind it is not there for CSG.
-  void hits_of_patches(const LocalRay& local, HitStack& out) const {
+  const BoxHierarchy& hierarchy() const {
     std::call_once(hierarchy_made_, [&] {
       std::vector<FloatBox> boxes;
       for (const auto& face : mesh_.face_vertices) {
@@ -282,8 +283,38 @@ class Mesh final : public Shape {
       }
       hierarchy_ = std::make_unique<BoxHierarchy>(boxes);
     });
+    return *hierarchy_;
+  }
+
+  // Of two triangles met at one depth the one that is found later counts.
+  bool is_found_later(const LocalRay& local, uint32_t face, uint32_t other) const {
     thread_local BoxWalk walk;
-    walk.start(*hierarchy_, local.origin, local.direction);
+    walk.start(hierarchy(), local.origin, local.direction);
+    while (!walk.is_over()) {
+      double key;
+      const int64_t element = walk.next(key).element;
+      if (element == face) return false;
+      if (element == other) return true;
+    }
+    return face > other;
+  }
+
+  // Of hits of one depth the last one pushed counts.
+  void put_ties_in_order(const LocalRay& local, size_t first, HitStack& out) const {
+    for (size_t i = first; i < out.size(); ++i) {
+      for (size_t j = i + 1; j < out.size(); ++j) {
+        if (out[i].t == out[j].t && is_found_later(local, out[i].part, out[j].part)) {
+          std::swap(out[i].part, out[j].part);
+        }
+      }
+    }
+  }
+
+  // Without inside_vector the walk ends where the next box starts behind the hit found last: what lies
+  // behind it is not there for CSG.
+  void hits_of_patches(const LocalRay& local, HitStack& out) const {
+    thread_local BoxWalk walk;
+    walk.start(hierarchy(), local.origin, local.direction);
     double last = kGreatestDepth;
     while (!walk.is_over()) {
       double key;
@@ -328,7 +359,8 @@ class Mesh final : public Shape {
   std::vector<MeshPlane> planes_;  // where the node has none
   Bvh bvh_;
   std::unique_ptr<EmbreeMesh> embree_;
-  // POV-Ray's, made when a CSG first asks for all hits: most members of unions are never asked.
+  // POV-Ray's, made when a CSG first asks for all hits, or where triangles coincide: most members of
+  // unions are never asked.
   mutable std::once_flag hierarchy_made_;
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
   Bounds bounds_;
