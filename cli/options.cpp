@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cli/output_name.h"
 
@@ -247,7 +248,10 @@ Options resolve_options(const OptionValues& values) {
   options.animation = animation_from(values);
   options.clockless_animation = values.toggle(Option::clockless_animation, false);
   options.continue_trace = values.toggle(Option::continue_trace, false);
-  options.bounding_threshold = values.integer(Option::bounding_threshold, 3);
+  // Without bounding no number of objects is enough.
+  options.bounding_threshold = values.toggle(Option::bounding, true)
+                                   ? values.integer(Option::bounding_threshold, 3)
+                                   : std::numeric_limits<int>::max();
   options.remove_bounds = values.toggle(Option::remove_bounds, true);
   options.split_unions = values.toggle(Option::split_unions, false);
   return options;

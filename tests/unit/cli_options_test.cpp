@@ -366,6 +366,14 @@ TEST(CliAnimation, Subsets) {
 }
 
 // The cases of spec/language.md 32.
+// povray tests objects in the order of the scene then: it shows where surfaces coincide.
+TEST(CliOutput, NoBoundingIsNoThreshold) {
+  EXPECT_EQ(options_of({}).bounding_threshold, 3);
+  EXPECT_EQ(options_of({"+MB7"}).bounding_threshold, 7);
+  EXPECT_GT(options_of({"-MB"}).bounding_threshold, 1000000);
+  EXPECT_GT(options_of({"+MB7", "Bounding=off"}).bounding_threshold, 1000000);
+}
+
 TEST(CliOutput, Names) {
   EXPECT_EQ(output_path("sub/q.pov", "", 'N', ""), "sub/q.png");
   EXPECT_EQ(output_path("q", "", 'N', ""), "q.png");
