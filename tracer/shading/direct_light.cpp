@@ -80,9 +80,10 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
   RGB sum(0.0f);
   for (int i = 0; i < surface.share_count; ++i) {
     const TextureShare& share = surface.shares[i];
-    if (surface.share_count > 1 && share.weight < scene.scene.settings.adc_bailout) continue;
+    const float weight = surface.joined_weight(i, scene.scene.settings.adc_bailout);
+    if (weight == 0) continue;
     EnclosingFrames frames;
-    sum += share.weight * texture_transmittance(scene, scene.textures[share.texture], point,
+    sum += weight * texture_transmittance(scene, scene.textures[share.texture], point,
                                                 context, interior.caustics, frames);
   }
   if (interior.node && interior.node->fade_power > 0 &&

@@ -105,14 +105,15 @@ void WhittedIntegrator::shade_surface(const TracedRay& ray, const SurfacePoint& 
   }
   for (int i = 0; i < surface.share_count; ++i) {
     const TextureShare& share = surface.shares[i];
-    if (share.weight < scene_.scene.settings.adc_bailout) continue;
+    const float weight = surface.joined_weight(i, scene_.scene.settings.adc_bailout);
+    if (weight == 0) continue;
     RGB color(0.0f);
     float transmit = 0;
     EnclosingFrames frames;
     shade_texture(ray, hit, scene_.textures[share.texture], point, frames, counts, color,
                   transmit);
-    result.color += share.weight * color;
-    result.transmit += share.weight * transmit;
+    result.color += weight * color;
+    result.transmit += weight * transmit;
   }
 }
 

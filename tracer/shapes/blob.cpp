@@ -127,13 +127,17 @@ class Blob final : public Shape {
       const double weight = std::abs(part.field(p));
       if (weight == 0) return;
       total += weight;
+      // Each component is a share of its own, as small ones are left out one by one.
+      if (count < capacity) {
+        shares[count++] = {part.texture, static_cast<float>(weight)};
+        return;
+      }
       for (int i = 0; i < count; ++i) {
         if (shares[i].index == part.texture) {
           shares[i].weight += static_cast<float>(weight);
           return;
         }
       }
-      if (count < capacity) shares[count++] = {part.texture, static_cast<float>(weight)};
     });
     if (count == 0) {
       shares[0] = {-1, 1.0f};

@@ -107,6 +107,22 @@ struct SurfacePoint {
   // meshes with texture_list, blobs, cutaway_textures; none: black.
   int share_count = 0;
   TextureShare shares[kMostShares];
+
+  // What share i and later ones in its texture weigh together, without those below `least`; 0 where
+  // an earlier one has counted it.
+  float joined_weight(int i, double least) const {
+    const TextureShare& share = shares[i];
+    if (share_count == 1) return share.weight;
+    for (int j = 0; j < i; ++j) {
+      if (shares[j].texture == share.texture) return 0;
+    }
+    float sum = 0;
+    for (int j = i; j < share_count; ++j) {
+      const bool counts = !(static_cast<double>(shares[j].weight) < least);
+      if (counts && shares[j].texture == share.texture) sum += shares[j].weight;
+    }
+    return sum;
+  }
 };
 
 // A light with its group; positions are final.
