@@ -1,6 +1,7 @@
 #include "tracer/intersect/float_box.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace durer {
 
@@ -49,7 +50,7 @@ bool FloatBox::contains(const Vec3& p) const {
   return true;
 }
 
-bool FloatBox::is_met(const Vec3& origin, const Vec3& direction) const {
+bool FloatBox::is_met(const Vec3& origin, const Vec3& direction, bool in_x_face) const {
   float enter = 0, leave = 2e10f;
   for (int axis = 0; axis < 3; ++axis) {
     const float o = static_cast<float>(origin[axis]);
@@ -57,8 +58,9 @@ bool FloatBox::is_met(const Vec3& origin, const Vec3& direction) const {
     const float low = lower[axis], high = low + length[axis];
     const float near = ((inverse < 0 ? high : low) - o) * inverse;
     const float far = ((inverse < 0 ? low : high) - o) * inverse;
-    // Written so that NaN is a miss.
-    if (!(near <= leave && far >= enter)) return false;
+    // 0 times infinity: in the plane of a face.
+    if (axis == 0 && !in_x_face && (std::isnan(near) || std::isnan(far))) return false;
+    if (near > leave || far < enter) return false;
     enter = near > enter ? near : enter;
     leave = far < leave ? far : leave;
   }

@@ -32,6 +32,16 @@ HitStack& scratch() {
   return stack;
 }
 
+bool meets_box(const TopLevelObject& object, const GeometryRay& ray) {
+  return object.asks_box ? object.box.is_met(ray.origin, ray.direction)
+                         : object.box.is_met_in_hierarchy(ray.origin, ray.direction);
+}
+
+// Rays in the plane of a box's face across x do not see what is in the box.
+bool slips_along_box(const TopLevelObject& object, const GeometryRay& ray) {
+  return ray.direction.x == 0 && object.asks_box && !meets_box(object, ray);
+}
+
 // The nearest hit among the objects of one list.
 struct ClosestSearch {
   ClosestSearch(const WorldData& world, const ObjectSet& objects, const SearchList& wanted,
@@ -81,6 +91,7 @@ struct ClosestSearch {
     } else if (!meets_other(set.objects[item.object], candidate, copy)) {
       return;
     }
+    if (slips_along_box(set.objects[item.object], ray)) [[unlikely]] return;
     if (candidate.t == best && top >= 0 &&
         !set.is_tested_first(item.object, static_cast<uint32_t>(top), ray.origin, ray.direction)) {
       return;
@@ -123,7 +134,7 @@ struct ClosestSearch {
       copy = static_cast<uint32_t>(object.instance + 1);
       return true;
     }
-    if (object.is_cut_off && !object.box.is_met(ray.origin, ray.direction)) return false;
+    if (object.is_cut_off && !meets_box(object, ray)) return false;
     const GeometryNode& node = data.geometry.nodes[object.node];
     if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
     return data.geometry.closest(object.node, ray, ray.t_max, stack, candidate);
@@ -180,7 +191,7 @@ struct OcclusionSearch {
                          ? item.shape->closest(ray, stack, hit)
                          : closest_moved(*item.shape, data.geometry.transforms[item.transform], hit);
     stack.count_test(item.shape_kind, met);
-    return met;
+    return met && !slips_along_box(set.objects[item.object], ray);
   }
 
   [[gnu::noinline]] bool other_blocks(const SearchItem& item) {
@@ -193,12 +204,15 @@ struct OcclusionSearch {
     }
     const GeometryNode& node = data.geometry.nodes[item.node];
     if (object.is_cut_off && item.node == object.node && !casts_whole_shadow(object, node) &&
-        !object.box.is_met(ray.origin, ray.direction)) {
+        !meets_box(object, ray)) {
       return false;
     }
     if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
     ShapeHit hit;
-    return data.geometry.closest(item.node, ray, ray.t_max, stack, hit);
+    if (!data.geometry.closest(item.node, ray, ray.t_max, stack, hit)) return false;
+    // Members of unions are asked by themselves (docs/decisions/0062-shadows-of-bound-unions.md).
+    return item.node != object.node || node.kind == NodeKind::union_ ||
+           !slips_along_box(object, ray);
   }
 
   [[gnu::noinline]] bool closest_moved(const Shape& shape, const Transform& transform,

@@ -514,6 +514,7 @@ void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {
                               : is_seen_outside_box(node, set)) {
       continue;
     }
+    top.asks_box = !is_exempt(node);
     top.is_cut_off = !node.surface_is_bounded || !encloses(top.box.to_bounds(), node.reach);
   }
   fill_search_list(

@@ -21,7 +21,8 @@ struct TopLevelObject {
   FloatBox box;
   uint8_t hidden = 0;       // RayKind bits
   int32_t instance = -1;    // in WorldData::instances; then `node` means nothing
-  bool is_cut_off = false;  // what lies outside of the box is not seen (geometry.md 2.2)
+  bool asks_box = false;    // its own box is asked before it (geometry.md 2.2)
+  bool is_cut_off = false;  // what lies outside of the box is not seen
 };
 
 // An object as the walks meet it.
