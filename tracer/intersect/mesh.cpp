@@ -164,7 +164,8 @@ class Mesh final : public Shape {
       return 1;
     }
     const auto& t = mesh_.face_textures[hit.part];
-    if (t[0] < 0 || t[1] < 0 || t[2] < 0 || (t[0] == t[1] && t[1] == t[2])) {
+    // One texture; three are mixed even if they are the same, since small shares are left out.
+    if (t[0] < 0 || t[1] < 0 || t[2] < 0) {
       shares[0] = {t[0], 1.0f};
       return 1;
     }

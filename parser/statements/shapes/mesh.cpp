@@ -46,7 +46,7 @@ class MeshReader {
         const int32_t index = parse_texture_index();
         parser_.expect_close("texture");
         textured = true;
-        if (keep) set(mesh_.face_textures, face, {index, index, index});
+        if (keep) set(mesh_.face_textures, face, {index, -1, -1});
       } else if (parser_.accept(Keyword::texture_list)) {
         parser_.expect_open("texture_list");
         std::array<int32_t, 3> list;

@@ -83,16 +83,18 @@ void parse_faces(Parser& parser, MeshNode& mesh) {
     std::array<int32_t, 3> list{-1, -1, -1};
     if (parser.at_expression() && !parser.at(Symbol::less)) {
       list[0] = parser.parse_int();
-      list[1] = list[2] = list[0];
       parser.accept_comma();
-      if (parser.at_expression() && !parser.at(Symbol::less)) {
+      const bool is_one = !parser.at_expression() || parser.at(Symbol::less);
+      if (!is_one) {
         for (int i = 1; i < 3; ++i) {
           list[i] = parser.parse_int();
           parser.accept_comma();
         }
       }
-      for (int32_t index : list) {
-        if (index < 0 || index >= textures) parser.error("there is no such texture in the list");
+      for (int i = 0; i < (is_one ? 1 : 3); ++i) {
+        if (list[i] < 0 || list[i] >= textures) {
+          parser.error("there is no such texture in the list");
+        }
       }
     }
     mesh.face_textures.resize(mesh.face_vertices.size() - 1, {-1, -1, -1});
