@@ -123,9 +123,7 @@ class Mesh final : public Shape {
                         &n3 = mesh_.normals[n[2]];
         if (!same(n1, n2) || !same(n1, n3)) {
           const Corners c = corners(hit.part);
-          int a, b;
-          projection_axes(Vec3(of.normal), a, b);
-          const int first = needs_exchange(c.p[0], c.p[1], c.p[2], a, b), second = 1 - first;
+          const int first = of.is_exchanged, second = 1 - first;
           const Vec3 at_first(first ? n2 : n1), at_second(first ? n1 : n2), at_third(n3);
           double u, v;
           smooth_weights(c.p[first], c.p[second], c.p[2], Vec3(of.altitude), p, u, v);

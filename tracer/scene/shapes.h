@@ -145,6 +145,7 @@ struct MeshPlane {
   glm::vec3 normal{0};  // of length 1; 0 without area
   float distance = 0;
   glm::vec3 altitude{0};  // in the plane; dot(altitude, p - p1) is 0 at p1 and 1 on the edge p2 p3
+  bool is_exchanged = false;  // the altitude stands on the edge p1 p3, with p2 at its foot
 };
 struct MeshNode {
   std::vector<glm::vec3> vertices;

@@ -52,6 +52,7 @@ inline MeshPlane mesh_plane_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
   int a, b;
   projection_axes(unit, a, b);
   const bool exchange = needs_exchange(p1, p2, p3, a, b);
+  plane.is_exchanged = exchange;
   const Vec3 &first = exchange ? p2 : p1, &second = exchange ? p1 : p2;
   const Vec3 unit_edge = normalize_or_zero(p3 - second);
   const Vec3 side = first - p3;
