@@ -78,8 +78,8 @@ class JuliaFractal final : public Shape {
       const double third = 1 - std::abs(hit.u) - std::abs(hit.v);
       return placed_.normal({hit.u, hit.v, hit.part ? -third : third});
     }
-    Vec4 z = start(placed_.inverse_point(world_point));
     if constexpr (Map::kQuaternion) {
+      Vec4 z = start(placed_.inverse_point(world_point));
       Vec4 v[3] = {Vec4(1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0)};
       for (int k = 0; k < iterations_; ++k) {
         for (Vec4& tangent : v) tangent = Map::carry(z, tangent);
@@ -87,12 +87,13 @@ class JuliaFractal final : public Shape {
       }
       return placed_.normal({glm::dot(v[0], z), glm::dot(v[1], z), glm::dot(v[2], z)});
     } else {
-      Vec4 q(1, 0, 0, 0);
+      typename Map::Number z(start(placed_.inverse_point(world_point)));
+      typename Map::Number q(Vec4(1, 0, 0, 0));
       for (int k = 0; k < iterations_; ++k) {
-        const Vec4 factor = map_.factor_of_step(z, k);
-        q = k == 0 ? factor : hypercomplex_product(q, factor);
+        const auto factor = map_.factor_of_step(z, k);
+        q = k == 0 ? factor : product(q, factor);
       }
-      return placed_.normal(gradient(q, z));
+      return placed_.normal(gradient(as_vector(q), as_vector(z)));
     }
   }
 
@@ -132,10 +133,10 @@ class JuliaFractal final : public Shape {
   bool is_in_set(const Vec3& p) const {
     Vec4* orbit = nullptr;
     if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
-    Vec4 z = start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p);
+    typename Map::Number z(start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p));
     remember(orbit, 0, z);
     for (int i = 0; i < iterations_; ++i) {
-      if (glm::dot(z, z) > escape2_) return false;
+      if (squared_size(z) > escape2_) return false;
       z = map_(z);
       remember(orbit, i + 1, z);
     }
@@ -143,7 +144,7 @@ class JuliaFractal final : public Shape {
   }
 
   static void remember([[maybe_unused]] Vec4* orbit, [[maybe_unused]] int i,
-                       [[maybe_unused]] const Vec4& z) {
+                       [[maybe_unused]] const typename Map::Number& z) {
     if constexpr (Map::kMixesUpStart) orbit[i] = z;
   }
 
@@ -174,7 +175,7 @@ class JuliaFractal final : public Shape {
   // Whether the point at t is in the set, and how far the set is.
   bool march(const Ray& ray, double t, double& distance) const {
     distance = precision_;
-    Vec4 z = start(ray.at(t));
+    typename Map::Number z(start(ray.at(t)));
     if constexpr (Map::kQuaternion) {
       double product2 = 1, shrink = 1;
       for (int i = 0; i < iterations_; ++i) {
@@ -192,18 +193,19 @@ class JuliaFractal final : public Shape {
       Vec4* orbit = nullptr;
       if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
       remember(orbit, 0, z);
-      Vec4 q = z;  // the first factor, which counts even where no step is taken
+      typename Map::Number q = z;  // the first factor, which counts even where no step is taken
       for (int i = 0; i < iterations_; ++i) {
-        const double size2 = glm::dot(z, z);
+        const double size2 = squared_size(z);
         if (size2 > escape2_) {
-          const double slope = Map::scale(i) * dot(gradient(q, z), ray.direction);
+          const double slope =
+              Map::scale(i) * dot(gradient(as_vector(q), as_vector(z)), ray.direction);
           if (slope >= -kLeastDistance) return false;
           const double steepness = -2 * slope, shortest = precision_ * steepness;
           if (size2 > shortest && size2 < kLongestStride * shortest) distance = size2 / steepness;
           return false;
         }
-        const Vec4 factor = map_.factor_of_step(z, i);
-        if (i > 0) q = hypercomplex_product(q, factor);
+        const auto factor = map_.factor_of_step(z, i);
+        if (i > 0) q = product(q, factor);
         remember(orbit, i + 1, z);
       }
       return true;

@@ -13,6 +13,7 @@ namespace durer {
 
 // i·j = k with i² = j² = k² = -1; x is the real part.
 struct QuaternionSquare {
+  using Number = Vec4;
   static constexpr bool kQuaternion = true, kMixesUpStart = false;
   static constexpr double kDegree = 2;
   Vec4 c;
@@ -30,6 +31,7 @@ struct QuaternionSquare {
 };
 
 struct QuaternionCube {
+  using Number = Vec4;
   static constexpr bool kQuaternion = true, kMixesUpStart = false;
   static constexpr double kDegree = 3;
   Vec4 c;
@@ -54,7 +56,34 @@ inline Vec4 hypercomplex_product(const Vec4& a, const Vec4& b) {
       a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
 }
 
+// Hypercomplex numbers as their maps compute with them: as they are, or on two complex planes.
+inline double squared_size(const Vec4& z) { return glm::dot(z, z); }
+inline Vec4 product(const Vec4& a, const Vec4& b) { return hypercomplex_product(a, b); }
+inline Vec4 as_vector(const Vec4& z) { return z; }
+
+// The two complex planes that the algebra splits into, side by side: there the product is that of
+// complex numbers.
+struct OnPlanes {
+  using Lanes = double __attribute__((vector_size(16)));
+
+  Lanes re, im;
+
+  explicit OnPlanes(const Vec4& z) : re{z.x - z.w, z.x + z.w}, im{z.y + z.z, z.y - z.z} {}
+  OnPlanes(const Lanes& real, const Lanes& imaginary) : re(real), im(imaginary) {}
+};
+inline double squared_size(const OnPlanes& z) {
+  const OnPlanes::Lanes squares = z.re * z.re + z.im * z.im;
+  return 0.5 * (squares[0] + squares[1]);
+}
+inline OnPlanes product(const OnPlanes& a, const OnPlanes& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+inline Vec4 as_vector(const OnPlanes& z) {
+  return 0.5 * Vec4(z.re[0] + z.re[1], z.im[0] + z.im[1], z.im[0] - z.im[1], z.re[1] - z.re[0]);
+}
+
 struct HypercomplexSquare {
+  using Number = Vec4;
   static constexpr bool kQuaternion = false, kMixesUpStart = false;
   Vec4 c;
 
@@ -91,25 +120,35 @@ Vec4 on_both_planes(const Vec4& z, const Function& function) {
 }
 
 struct HypercomplexReciprocal {
+  using Number = OnPlanes;
   static constexpr bool kQuaternion = false, kMixesUpStart = false;
-  Vec4 c;
 
-  static Vec4 reciprocal(const Vec4& z) {
-    return on_both_planes(z, [](const std::complex<double>& w) { return 1.0 / w; });
-  }
-  Vec4 operator()(const Vec4& z) const { return reciprocal(z) + c; }
-  Vec4 factor_of_step(Vec4& z, int k) const {
-    const Vec4 r = reciprocal(z), factor = k == 0 ? z : -hypercomplex_product(r, r);
-    z = r + c;
+  explicit HypercomplexReciprocal(const Vec4& constant) : c(constant) {}
+
+  OnPlanes operator()(const OnPlanes& z) const { return plus_c(reciprocal(z)); }
+  OnPlanes factor_of_step(OnPlanes& z, int k) const {
+    const OnPlanes r = reciprocal(z), square = product(r, r);
+    const OnPlanes factor = k == 0 ? z : OnPlanes(-square.re, -square.im);
+    z = plus_c(r);
     return factor;
   }
   static double scale(int) { return 1; }
+
+ private:
+  static OnPlanes reciprocal(const OnPlanes& z) {
+    const OnPlanes::Lanes squares = z.re * z.re + z.im * z.im;
+    return {z.re / squares, -z.im / squares};
+  }
+  OnPlanes plus_c(const OnPlanes& z) const { return {z.re + c.re, z.im + c.im}; }
+
+  OnPlanes c;
 };
 
 using ComplexFunction = std::complex<double> (*)(const std::complex<double>& z, const Vec2& power);
 ComplexFunction complex_function(JuliaFractalNode::Function function);
 
 struct HypercomplexFunction {
+  using Number = Vec4;
   // The plain iteration starts with y in the place of z, as in POV-Ray.
   static constexpr bool kQuaternion = false, kMixesUpStart = true;
   Vec4 c;
