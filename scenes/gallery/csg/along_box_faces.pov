@@ -10,9 +10,12 @@ plane { z, 3 pigment { checker rgb 0.8, rgb <0.4, 0.5, 0.6> } finish { ambient 0
 #macro At(X, Y) translate <2.5 * X, 2.5 * Y, 0> pigment { rgb <0.9, 0.6, 0.3> } #end
 #declare Square = prism { -A, A, 5, <-A, -A>, <A, -A>, <A, A>, <-A, A>, <-A, -A> }
 #declare Both = intersection { box { -A, A } box { -A, A + 1 } }
+#declare Middle = <0.123, 0.277, 0>;
 #declare Panes = mesh {
-  triangle { <-A, -A, 0>, <A, -A, 0>, <A, A, 0> }
-  triangle { <-A, -A, 0>, <-A, A, 0>, <A, A, 0> }
+  triangle { <-A, -A, 0>, <A, -A, 0>, Middle }
+  triangle { <A, -A, 0>, <A, A, 0>, Middle }
+  triangle { <A, A, 0>, <-A, A, 0>, Middle }
+  triangle { <-A, A, 0>, <-A, -A, 0>, Middle }
 }
 #declare Sheet = quadric { <0, 0, 1>, <0, 0, 0>, <0, 0, 0>, -0.1 clipped_by { box { -A, A } } }
 object { Square At(-1.5, 1) }
