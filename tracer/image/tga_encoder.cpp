@@ -1,15 +1,8 @@
 // Targa 2.0, plain and run-length encoded, laid out as povray lays it out. Not through OpenImageIO,
 // which takes longer to load than small pictures to render.
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <stdexcept>
-#include <string_view>
 
-#include "tracer/image/picture_writer.h"
+#include "tracer/image/byte_rows.h"
 
 namespace durer {
 namespace {
@@ -19,40 +12,13 @@ constexpr uint8_t kFromTheTop = 0x20;
 constexpr size_t kLongestPacket = 128;
 constexpr uint8_t kRun = 0x80;
 
-// Numbers are little-endian.
-class Bytes {
- public:
-  void byte(uint32_t value) { put(value, 1); }
-  void word(uint32_t value) { put(value, 2); }
-  void long_word(uint32_t value) { put(value, 4); }
-  void zeros(size_t count) { bytes_.insert(bytes_.end(), count, 0); }
-  void text(std::string_view text, size_t room) {
-    bytes_.insert(bytes_.end(), text.begin(), text.end());
-    zeros(room - text.size());
-  }
-  void bytes(const uint8_t* from, size_t count) { bytes_.insert(bytes_.end(), from, from + count); }
-  void clear() { bytes_.clear(); }
-  size_t size() const { return bytes_.size(); }
-
-  void write(std::FILE* file) const {
-    if (std::fwrite(bytes_.data(), 1, bytes_.size(), file) != bytes_.size())
-      throw std::runtime_error(std::strerror(errno));
-  }
-
- private:
-  void put(uint32_t value, int count) {
-    for (int i = 0; i < count; ++i) bytes_.push_back(static_cast<uint8_t>(value >> 8 * i));
-  }
-  std::vector<uint8_t> bytes_;
-};
-
-Bytes header_of(int width, int height, size_t channels, bool is_packed) {
-  Bytes header;
-  header.byte(0);                  // no text
-  header.byte(0);                  // no colour map
+FileBytes header_of(int width, int height, size_t channels, bool is_packed) {
+  FileBytes header;
+  header.byte(0);                   // no text
+  header.byte(0);                   // no colour map
   header.byte(is_packed ? 10 : 2);  // true colour
-  header.zeros(5);                 // of the colour map
-  header.zeros(4);                 // origin
+  header.zeros(5);                  // of the colour map
+  header.zeros(4);                  // origin
   header.word(static_cast<uint32_t>(width));
   header.word(static_cast<uint32_t>(height));
   header.byte(static_cast<uint32_t>(8 * channels));
@@ -65,18 +31,18 @@ float gamma_of(const TransferCurve& curve) {
 }
 
 // The extension area, with the gamma that is left to the file by the scene's, and the footer.
-Bytes trailer_of(const PixelFormat& format, uint32_t place) {
+FileBytes trailer_of(const PixelFormat& format, uint32_t place) {
   constexpr uint32_t kExtension = 495, kGammaUnit = 6553;
   const float gamma = gamma_of(format.file) / gamma_of(format.working);
-  Bytes trailer;
+  FileBytes trailer;
   trailer.word(kExtension);
   trailer.zeros(424);  // author, comments, time, job
   trailer.text("durer", 41);
   trailer.zeros(11);  // version, key colour, shape of pixels
   trailer.word(static_cast<uint32_t>(std::min(gamma * static_cast<float>(kGammaUnit), 65535.0f)));
   trailer.word(kGammaUnit);
-  trailer.zeros(8);                     // no corrections, no small picture
-  trailer.long_word(kHeader);           // where povray says that a table of the rows is
+  trailer.zeros(8);                    // no corrections, no small picture
+  trailer.long_word(kHeader);          // where povray says that a table of the rows is
   trailer.byte(format.alpha ? 3 : 0);  // what the fourth channel is
   trailer.long_word(place);
   trailer.long_word(0);  // no developer's area
@@ -85,7 +51,7 @@ Bytes trailer_of(const PixelFormat& format, uint32_t place) {
 }
 
 // Packets do not go on to the next row.
-void pack_row(const uint8_t* row, size_t width, size_t channels, Bytes& packed) {
+void pack_row(const uint8_t* row, size_t width, size_t channels, FileBytes& packed) {
   const auto are_equal = [&](size_t a, size_t b) {
     return std::equal(row + a * channels, row + (a + 1) * channels, row + b * channels);
   };
@@ -98,7 +64,8 @@ void pack_row(const uint8_t* row, size_t width, size_t channels, Bytes& packed) 
       packed.bytes(row + x * channels, channels);
     } else {
       // As far as no two neighbours are equal.
-      while (count < most && !(x + count + 1 < width && are_equal(x + count, x + count + 1))) ++count;
+      while (count < most && !(x + count + 1 < width && are_equal(x + count, x + count + 1)))
+        ++count;
       packed.byte(static_cast<uint32_t>(count - 1));
       packed.bytes(row + x * channels, count * channels);
     }
@@ -109,26 +76,16 @@ void pack_row(const uint8_t* row, size_t width, size_t channels, Bytes& packed) 
 }  // namespace
 
 void encode_tga(std::FILE* file, const Picture& picture, const PictureOutput& output) {
-  const size_t width = static_cast<size_t>(picture.width());
-  const size_t channels = static_cast<size_t>(output.format.channels());
   const bool is_packed = output.type == PictureFileType::tga_rle;
-  Quantizer quantizer(output.format, picture.width());
-  std::vector<PixelColor> pixels(width);
-  std::vector<uint16_t> codes(width * channels);
-  std::vector<uint8_t> row(width * channels);
+  BlueFirstRows rows(picture, output.format);
   size_t written = kHeader;
-  header_of(picture.width(), picture.height(), channels, is_packed).write(file);
-  constexpr std::array<size_t, 4> kOrder{2, 1, 0, 3};
-  Bytes bytes;
+  header_of(picture.width(), picture.height(), rows.channels(), is_packed).write(file);
+  FileBytes bytes;
   for (int y = 0; y < picture.height(); ++y) {
-    picture.read(y, 0, picture.width(), pixels.data());
-    quantizer.quantize_row(y, pixels.data(), codes.data());
-    for (size_t x = 0; x < width; ++x)
-      for (size_t c = 0; c < channels; ++c)
-        row[x * channels + c] = static_cast<uint8_t>(codes[x * channels + kOrder[c]]);
+    const std::vector<uint8_t>& row = rows.read(y);
     bytes.clear();
     if (is_packed) {
-      pack_row(row.data(), width, channels, bytes);
+      pack_row(row.data(), rows.width(), rows.channels(), bytes);
     } else {
       bytes.bytes(row.data(), row.size());
     }

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-
 namespace durer {
 
 bool Plane::closest(const ShapeRay& ray, HitStack&, ShapeHit& hit) const {
@@ -36,8 +35,7 @@ bool Plane::inside(const Vec3& p) const {
 std::shared_ptr<const Shape> Plane::transformed(const Transform& transform) const {
   switch (transform.kind) {
     case TransformKind::translation:
-      return std::make_shared<Plane>(normal_,
-                                     distance_ + dot(normal_, transform.forward.row[3]));
+      return std::make_shared<Plane>(normal_, distance_ + dot(normal_, transform.forward.row[3]));
     case TransformKind::rotation:
       return std::make_shared<Plane>(transform.normal(normal_), distance_);
     case TransformKind::scaling: {
@@ -46,7 +44,8 @@ std::shared_ptr<const Shape> Plane::transformed(const Transform& transform) cons
       const double size = length(scaled);  // used as povray does, to the last digit
       return std::make_shared<Plane>(scaled * (1 / size), distance_ / size);
     }
-    default: return nullptr;
+    default:
+      return nullptr;
   }
 }
 
