@@ -300,17 +300,25 @@ class Mesh final : public Shape {
 
   // Of hits of one depth the last one pushed counts.
   void put_ties_in_order(const LocalRay& local, size_t first, HitStack& out) const {
-    for (size_t i = first; i < out.size(); ++i) {
-      for (size_t j = i + 1; j < out.size(); ++j) {
-        if (out[i].t == out[j].t && is_found_later(local, out[i].part, out[j].part)) {
-          std::swap(out[i].part, out[j].part);
-        }
+    if (out.size() - first < 2) return;
+    // Equal ones side by side: a ray may meet every triangle.
+    thread_local std::vector<size_t> places;
+    places.clear();
+    for (size_t i = first; i < out.size(); ++i) places.push_back(i);
+    std::sort(places.begin(), places.end(), [&](size_t i, size_t j) {
+      return out[i].t != out[j].t ? out[i].t < out[j].t : i < j;
+    });
+    for (size_t i = 0; i < places.size(); ++i) {
+      ShapeHit& one = out[places[i]];
+      for (size_t j = i + 1; j < places.size() && out[places[j]].t == one.t; ++j) {
+        ShapeHit& other = out[places[j]];
+        if (is_found_later(local, one.part, other.part)) std::swap(one.part, other.part);
       }
     }
   }
 
-  // Without inside_vector the walk ends where the next box starts behind the hit found last: what lies
-  // behind it is not there for CSG.
+  // Without inside_vector the walk ends where the next box starts behind the hit found last: what
+  // lies behind it is not there for CSG.
   void hits_of_patches(const LocalRay& local, HitStack& out) const {
     thread_local BoxWalk walk;
     walk.start(hierarchy(), local.origin, local.direction);
@@ -358,8 +366,8 @@ class Mesh final : public Shape {
   std::vector<MeshPlane> planes_;  // where the node has none
   Bvh bvh_;
   std::unique_ptr<EmbreeMesh> embree_;
-  // POV-Ray's, made when a CSG first asks for all hits, or where triangles coincide: most members of
-  // unions are never asked.
+  // POV-Ray's, made when a CSG first asks for all hits, or where triangles coincide: most members
+  // of unions are never asked.
   mutable std::once_flag hierarchy_made_;
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
   Bounds bounds_;
