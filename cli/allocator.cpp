@@ -1,6 +1,6 @@
 // The command's memory comes from jemalloc, in pages of 4 KB at first, then in pages of 2 MB. Every
-// first touch of a 4 KB page costs more than filling it, and scenes of 100,000 objects touch tens of
-// thousands; small scenes would clear pages of 2 MB of which they use little
+// first touch of a 4 KB page costs more than filling it, and scenes of 100,000 objects touch tens
+// of thousands; small scenes would clear pages of 2 MB of which they use little
 // (docs/decisions/0061-memory-from-jemalloc.md). The library looks for this name.
 #include <jemalloc/jemalloc.h>
 #include <sys/mman.h>
@@ -22,9 +22,9 @@ void* take_in_large_pages(extent_hooks_t* by, void* address, size_t size, size_t
   return piece;
 }
 
-// jemalloc asks the system for pieces of 2, 2.5, 3, 3.5 MB and so on: where one begins or ends amid a
-// page of 2 MB, that one falls apart into 512. Past 14 MB all are whole: the first piece is so large,
-// and the one in small pages. Nothing of it is touched here.
+// jemalloc asks the system for pieces of 2, 2.5, 3, 3.5 MB and so on: where one begins or ends amid
+// a page of 2 MB, that one falls apart into 512. Past 14 MB all are whole: the first piece is so
+// large, and the one in small pages. Nothing of it is touched here.
 const bool kIsSetUp = [] {
   constexpr size_t kFirstPiece = size_t{14} << 20;
   if (void* piece = mallocx(kFirstPiece, MALLOCX_TCACHE_NONE)) dallocx(piece, MALLOCX_TCACHE_NONE);

@@ -324,8 +324,9 @@ TEST(Meshes, AreHitOnTheirTrianglesAndNeverBetweenThem) {
     for (int i = 0; i < 2000; ++i) {
       const auto& face = faces[random() % faces.size()];
       const Vec3 a(vertices[face[0]]), b(vertices[face[1]]), c(vertices[face[2]]);
-      // Aimed at an inner point, or nearly at a vertex or an edge: what is aimed at these themselves may
-      // slip through, since planes are single precision (measured on povray 3.7: one ray in five).
+      // Aimed at an inner point, or nearly at a vertex or an edge: what is aimed at these
+      // themselves may slip through, since planes are single precision (measured on povray 3.7: one
+      // ray in five).
       const Vec3 middle = (a + b + c) / 3.0;
       const Vec3 at_edge = i % 3 == 0 ? a : (i % 3 == 1 ? 0.5 * (a + b) : middle);
       const Vec3 target = at_edge + 1e-5 * (middle - at_edge);
@@ -346,8 +347,7 @@ TEST(Meshes, HaveAnInsideOnlyWithAVector) {
   MeshNode mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.face_vertices = {{1, 2, 3}, {0, 1, 2}, {0, 1, 3}, {0, 2, 3}};
-  expect_hit(object(mesh), {0.2, 0.2, 3}, -kZ, {0.2, 0.2, 0.6},
-             Vec3(-0.57735025882720947));
+  expect_hit(object(mesh), {0.2, 0.2, 3}, -kZ, {0.2, 0.2, 0.6}, Vec3(-0.57735025882720947));
   EXPECT_FALSE(ObjectQuery::build(object(mesh), 370)->has_inside());
   mesh.inside_vector = Vec3(0.3, 0.5, 0.7);
   const auto solid = ObjectQuery::build(object(mesh), 370);

@@ -65,8 +65,10 @@ bool needs_seeking(PictureFileType type) {
     case PictureFileType::ppm:
     case PictureFileType::bmp:
     case PictureFileType::tga:
-    case PictureFileType::tga_rle: return false;
-    default: return true;
+    case PictureFileType::tga_rle:
+      return false;
+    default:
+      return true;
   }
 }
 

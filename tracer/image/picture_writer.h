@@ -1,5 +1,5 @@
-// Picture files: PNG through libpng, PPM, BMP and Targa by itself, all other formats through the module
-// with OpenImageIO.
+// Picture files: PNG through libpng, PPM, BMP and Targa by itself, all other formats through the
+// module with OpenImageIO.
 #pragma once
 
 #include <cstdio>

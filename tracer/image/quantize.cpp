@@ -123,7 +123,8 @@ uint16_t CodeTable::code_by_curve(float value) const {
 }
 
 inline uint16_t CodeTable::operator()(float value) const {
-  if (least_.empty()) [[unlikely]] return code_by_curve(value);
+  if (least_.empty()) [[unlikely]]
+    return code_by_curve(value);
   if (!(value > 0)) return 0;
   size_t code = first_[table_index(value)];
   while (value >= least_[code + 1]) ++code;

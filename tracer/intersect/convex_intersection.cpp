@@ -1,7 +1,7 @@
 // One intersection or difference of convex solids and half spaces, the most usual CSG: a line's way
-// through the solids is one interval, from which those that are cut out take theirs. No point is asked
-// whether it lies inside, but where surfaces all but coincide. Where a crossing is missing the general
-// way decides (geometry.cpp).
+// through the solids is one interval, from which those that are cut out take theirs. No point is
+// asked whether it lies inside, but where surfaces all but coincide. Where a crossing is missing
+// the general way decides (geometry.cpp).
 #include <algorithm>
 #include <cmath>
 
@@ -125,8 +125,7 @@ struct Geometry::IntersectionSpans {
   spans.cuts = 0;
   for (uint32_t i = 0; i < node.swept.count; ++i) {
     // The first one's box has been met: hierarchies have no smaller one for the whole.
-    const Sweep sweep =
-        narrow_spans(lists[node.swept.first + i], i > 0, ray, t_max, stack, spans);
+    const Sweep sweep = narrow_spans(lists[node.swept.first + i], i > 0, ray, t_max, stack, spans);
     if (sweep != Sweep::met) return sweep;
   }
   return node.tree < 0 ? Sweep::met : cut_out_tree(node, ray, t_max, stack, spans);
@@ -169,8 +168,8 @@ bool Geometry::all_others_hold(const GeometryNode& node, uint32_t except, const 
   return held;
 }
 
-// In cases of doubt: the nearest crossing from just before a depth on that the tests of all other solids
-// let stand, where none before it does.
+// In cases of doubt: the nearest crossing from just before a depth on that the tests of all other
+// solids let stand, where none before it does.
 [[gnu::noinline]] Geometry::Sweep Geometry::settle_sweep(const GeometryNode& node,
                                                          const GeometryRay& ray, double from,
                                                          double t_max,

@@ -21,7 +21,9 @@ struct FloatBox {
   // Whether a ray meets the box, with POV-Ray's single-precision slab distances (2.2). A ray in the
   // plane of a face across y or z does; in that of a face across x it does in a hierarchy, but not
   // where an object's own box is asked (measured on povray 3.7).
-  bool is_met(const Vec3& origin, const Vec3& direction) const { return is_met(origin, direction, false); }
+  bool is_met(const Vec3& origin, const Vec3& direction) const {
+    return is_met(origin, direction, false);
+  }
   bool is_met_in_hierarchy(const Vec3& origin, const Vec3& direction) const {
     return is_met(origin, direction, true);
   }

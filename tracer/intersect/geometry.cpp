@@ -447,9 +447,9 @@ void Geometry::finish_node(uint32_t index) {
   }
 }
 
-// A merge of merges is one of all their members: where those are many, one hierarchy holds them. So are
-// unions of unions, but for those that have a hierarchy: it serves as well. Hits come in the same order,
-// as a merge passes on its members' hits reversed and a union as they are.
+// A merge of merges is one of all their members: where those are many, one hierarchy holds them. So
+// are unions of unions, but for those that have a hierarchy: it serves as well. Hits come in the
+// same order, as a merge passes on its members' hits reversed and a union as they are.
 void Geometry::take_in_own_kind(GeometryNode& node) {
   std::vector<uint32_t> all;
   const bool is_merge = node.kind == NodeKind::merge;

@@ -46,8 +46,8 @@ struct GeometryNode {
   uint32_t object = 0;          // the caller's number
   const Shape* shape = nullptr;
   NodeRange children, clips, bounds;
-  // The convex solids of a CSG for sweep_convex_solids(), if it is one, but for those that are cut out by
-  // `tree`; behind them, where it is not flat, the number of its plan.
+  // The convex solids of a CSG for sweep_convex_solids(), if it is one, but for those that are cut
+  // out by `tree`; behind them, where it is not flat, the number of its plan.
   NodeRange swept;
   int32_t tree = -1;            // of many children: Geometry::trees
   Bounds reach;                 // the surface and a hair more: outside of it nothing happens

@@ -28,8 +28,8 @@ struct Matrix {
 // first, then second.
 Matrix operator*(const Matrix& first, const Matrix& second);
 
-// The statement that a transform is: several shapes take simple ones into their own numbers and keep
-// the others, `matrix` and `transform` among them whatever they do, as a matrix beside them
+// The statement that a transform is: several shapes take simple ones into their own numbers and
+// keep the others, `matrix` and `transform` among them whatever they do, as a matrix beside them
 // (spec/geometry.md 3).
 enum class TransformKind : unsigned char { translation, scaling, rotation, general };
 

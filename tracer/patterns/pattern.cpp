@@ -55,7 +55,7 @@ Pattern::Pattern(const PatternNode& node, const PatternSettings& settings)
 }
 
 Vec3 Pattern::warp_point(const Vec3& p) const {
-  Vec3 q = only_warp_             ? kept_near(only_warp_->inverse_point(p))
+  Vec3 q = only_warp_            ? kept_near(only_warp_->inverse_point(p))
            : node_.warps.empty() ? p
                                  : apply_warps(node_.warps, p);
   if (displaces_) [[unlikely]] {

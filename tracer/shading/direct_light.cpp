@@ -83,8 +83,8 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
     const float weight = surface.joined_weight(i, scene.scene.settings.adc_bailout);
     if (weight == 0) continue;
     EnclosingFrames frames;
-    sum += weight * texture_transmittance(scene, scene.textures[share.texture], point,
-                                                context, interior.caustics, frames);
+    sum += weight * texture_transmittance(scene, scene.textures[share.texture], point, context,
+                                          interior.caustics, frames);
   }
   if (interior.node && interior.node->fade_power > 0 &&
       std::abs(interior.node->fade_distance) > kEpsilon &&

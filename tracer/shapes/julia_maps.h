@@ -57,9 +57,15 @@ inline Vec4 hypercomplex_product(const Vec4& a, const Vec4& b) {
 }
 
 // Hypercomplex numbers as their maps compute with them: as they are, or on two complex planes.
-inline double squared_size(const Vec4& z) { return glm::dot(z, z); }
-inline Vec4 product(const Vec4& a, const Vec4& b) { return hypercomplex_product(a, b); }
-inline Vec4 as_vector(const Vec4& z) { return z; }
+inline double squared_size(const Vec4& z) {
+  return glm::dot(z, z);
+}
+inline Vec4 product(const Vec4& a, const Vec4& b) {
+  return hypercomplex_product(a, b);
+}
+inline Vec4 as_vector(const Vec4& z) {
+  return z;
+}
 
 // The two complex planes that the algebra splits into, side by side: there the product is that of
 // complex numbers.

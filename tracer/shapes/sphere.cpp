@@ -2,10 +2,11 @@
 //
 // A sphere stays one under translate, rotate and uniform scale; any other transform is kept beside
 // it and makes it an ellipsoid.
+#include "tracer/shapes/sphere.h"
+
 #include <cmath>
 
 #include "tracer/shapes/shape.h"
-#include "tracer/shapes/sphere.h"
 #include "tracer/shapes/spherical_angle.h"
 
 namespace durer {

@@ -152,8 +152,8 @@ class Superellipsoid final : public Shape {
            (i + 1 < samples.count && is_above(i + 1, i, i - 1));
   }
 
-  // Chord and midpoint by turns; 20 rounds. Quicker ways lead to other last digits, which show at the
-  // edges of sharp ones.
+  // Chord and midpoint by turns; 20 rounds. Quicker ways lead to other last digits, which show at
+  // the edges of sharp ones.
   double find_root(const Vec3& p, const Vec3& d, double a, double fa, double b, double fb) const {
     for (int i = 0; i < kMostSteps; ++i) {
       if (std::abs(fa) < kGeometryEpsilon) return a;

@@ -32,9 +32,7 @@ struct Edge {
   }
   // Of u squared in point(u) of a parabola: about 0 where its control point halves a to c.
   Vec2 bend() const { return a - 2.0 * b + c; }
-  Vec2 tangent(double u) const {
-    return curved ? 2.0 * (bend() * u + (b - a)) : c - a;
-  }
+  Vec2 tangent(double u) const { return curved ? 2.0 * (bend() * u + (b - a)) : c - a; }
 };
 
 // The box of an edge, and a hair more than rounding and the tolerances below can move a point.
@@ -173,8 +171,7 @@ class Glyph final : public Shape {
       }
       for (int k = 0; k < count; ++k) {
         const Vec2 at = e.point(u[k]);
-        const double t =
-            std::abs(d.x) > kGeometryEpsilon ? (at.x - p.x) / d.x : (at.y - p.y) / d.y;
+        const double t = std::abs(d.x) > kGeometryEpsilon ? (at.x - p.x) / d.x : (at.y - p.y) / d.y;
         const double z = p.z + t * d.z;
         if (z >= 0 && z <= depth_ && t > 1e-6) out.push_with_parameter(t, i + 2, u[k]);
       }

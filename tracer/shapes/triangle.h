@@ -44,8 +44,8 @@ inline Vec3 altitude_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
   return across * (-1 / dot(across, side));
 }
 
-// Of a mesh's triangle: in double precision as far as POV-Ray's is, and single precision then. Points
-// of meshes are off their corners' planes by some 1e-7 of their size, and in the same way.
+// Of a mesh's triangle: in double precision as far as POV-Ray's is, and single precision then.
+// Points of meshes are off their corners' planes by some 1e-7 of their size, and in the same way.
 inline MeshPlane mesh_plane_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
   const Vec3 unit = normalize_or_zero(cross(p3 - p1, p2 - p1));
   MeshPlane plane{glm::vec3(unit), static_cast<float>(dot(unit, p1))};

@@ -165,7 +165,9 @@ void ResolvedObject::move(const Transform& by) {
       }
       break;
     case Kind::light: light = moved(*light, by); break;
-    case Kind::csg: box = box.transformed(by); break;
+    case Kind::csg:
+      box = box.transformed(by);
+      break;
     case Kind::copy: break;
   }
   for (ResolvedObject& child : children) child.move(by);

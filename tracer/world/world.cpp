@@ -91,7 +91,8 @@ struct ClosestSearch {
     } else if (!meets_other(set.objects[item.object], candidate, copy)) {
       return;
     }
-    if (slips_along_box(set.objects[item.object], ray)) [[unlikely]] return;
+    if (slips_along_box(set.objects[item.object], ray)) [[unlikely]]
+      return;
     if (candidate.t == best && top >= 0 &&
         !set.is_tested_first(item.object, static_cast<uint32_t>(top), ray.origin, ray.direction)) {
       return;

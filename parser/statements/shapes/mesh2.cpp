@@ -18,7 +18,9 @@ size_t parse_count(Parser& parser, const char* what) {
 }
 
 Vec3 parse_item(Parser& parser, const glm::vec3*) { return parser.parse_vector(); }
-Vec3 parse_item(Parser& parser, const Vec3*) { return parser.parse_vector(); }
+Vec3 parse_item(Parser& parser, const Vec3*) {
+  return parser.parse_vector();
+}
 Vec2 parse_item(Parser& parser, const Vec2*) { return parser.parse_uv(); }
 
 template <typename Item>
