@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace durer {
+namespace {
+
+// What marks knots as unused in POV-Ray: given as the last so far, such a knot is lost (measured on
+// povray 3.7).
+constexpr double kUnusedParameter = -1e6;
+
+}  // namespace
 
 void Spline::add(double parameter, const std::array<double, 5>& value, int terms) {
   terms_ = std::max(terms_, terms);
@@ -12,6 +19,7 @@ void Spline::add(double parameter, const std::array<double, 5>& value, int terms
       knots_.begin(), knots_.end(), parameter,
       [](const SplineKnot& knot, double t) { return knot.parameter < t; });
   if (place == knots_.end() || place->parameter != parameter) {
+    if (place == knots_.end() && place != knots_.begin() && parameter == kUnusedParameter) return;
     knots_.insert(place, {parameter, value});
   } else {
     // The largest of several is not replaced (spec/language.md 21).

@@ -34,8 +34,9 @@ class ImagePattern : public BasePattern {
     double x, y;
     if (!sampler_.locate(p, x, y)) return 0;
     const ColorRGBFT c = sampler_.color(x, y);
-    if (use_alpha_) return static_cast<double>(has_alpha_ ? c.transmit : c.red);
-    return std::clamp(static_cast<double>(pattern_grey(c)), 0.0, 1.0);
+    // Bicubic interpolation swings beyond 0 and 1.
+    const float value = !use_alpha_ ? pattern_grey(c) : has_alpha_ ? c.transmit : c.red;
+    return std::clamp(static_cast<double>(value), 0.0, 1.0);
   }
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
 

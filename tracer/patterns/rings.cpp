@@ -64,14 +64,15 @@ class Quilted : public BasePattern {
     const Vec3 w = p - glm::floor(p) - Vec3(0.5);
     const double t = length(w), u = 1 - t;
     const double s = 1.154700538 * (t * t * t + 3 * t * (u * u * control0_ + t * u * control1_));
-    return s * (std::abs(w.x) + std::abs(w.y) + std::abs(w.z)) / 3;
+    // Negative controls may bend s below 0; its size counts (measured on povray 3.7).
+    return std::abs(s) * (std::abs(w.x) + std::abs(w.y) + std::abs(w.z)) / 3;
   }
   // t is at most half the cube's diagonal; t·u² and t²·u are at most 4/27, the mean of |w| 1/2.
   ValueRange base_range(const Bounds&) const override {
     const double c0 = control0_, c1 = control1_;
     const double low = 0.58 * (0.4445 * std::min(c0, 0.0) + 0.4445 * std::min(c1, 0.0));
     const double high = 0.58 * (0.65 + 0.4445 * std::max(c0, 0.0) + 0.4445 * std::max(c1, 0.0));
-    return {low, high};
+    return {0, std::max(-low, high)};
   }
 
  private:
