@@ -1,5 +1,6 @@
-// Which of two coincident surfaces is met: that of the object which POV-Ray tests first. Its
-// hierarchy of boxes and the heap that it is walked with decide (spec/geometry.md 2.3, 2.5).
+// Which of two surfaces at the same or nearly the same depth is met. POV-Ray's hierarchy of boxes
+// and the heap that it is walked with decide (spec/geometry.md 2.3, 2.5): of equal depths that of
+// the object tested first counts, and what lies nearer by a last digit may never be tested.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +16,10 @@ class TestOrder {
   // Boxes of the objects in the order of their declaration.
   explicit TestOrder(const std::vector<FloatBox>& boxes);
 
-  // Whether a ray tests object a before b; neither a nor b need be met. A ray's walk is followed once,
-  // as far as its questions ask for, whatever their number.
-  bool is_tested_first(uint32_t a, uint32_t b, const Vec3& origin, const Vec3& direction) const;
+  // Whether a ray that meets object a at depth_a and b at depth_b shows a, if there are only these.
+  // A ray's walk is followed once, as far as its questions ask for, whatever their number.
+  bool shows_first(uint32_t a, double depth_a, uint32_t b, double depth_b, const Vec3& origin,
+                   const Vec3& direction) const;
 
  private:
   BoxHierarchy hierarchy_;

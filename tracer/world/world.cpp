@@ -1,7 +1,6 @@
 #include "tracer/world/world.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -21,10 +20,9 @@ uint8_t kind_bits(const RayClass& kind) {
   return static_cast<uint8_t>(bits | kind.primary * kPrimaryRay);
 }
 
-// The next greater double of a positive one.
-double just_beyond(double t) {
-  return std::bit_cast<double>(std::bit_cast<uint64_t>(t) + 1);
-}
+// Of two depths that differ by less than this share the lesser one need not count: the walk may end
+// before it, where boxes are met with single precision.
+constexpr double kNearlySame = 1e-6;
 
 // One per thread; grows to what the scene needs and stays.
 HitStack& scratch() {
@@ -46,7 +44,8 @@ bool slips_along_box(const TopLevelObject& object, const GeometryRay& ray) {
 struct ClosestSearch {
   ClosestSearch(const WorldData& world, const ObjectSet& objects, const SearchList& wanted,
                 GeometryRay& along, HitStack& scratch, double t_max)
-      : data(world), set(objects), list(wanted), ray(along), stack(scratch), best(t_max) {
+      : data(world), set(objects), list(wanted), ray(along), stack(scratch), limit(t_max),
+        best(t_max) {
     ray.t_max = t_max;
   }
 
@@ -55,6 +54,7 @@ struct ClosestSearch {
   const SearchList& list;
   GeometryRay& ray;  // hits must be nearer than its t_max
   HitStack& stack;
+  const double limit;
   double best;
   // The nearest so far, where top is not negative, and room for the next: copies of what was just
   // written by components would wait for them.
@@ -72,7 +72,7 @@ struct ClosestSearch {
     const auto test_leaf = [this](uint32_t first, uint32_t count, double& t_max) {
       const SearchItem* item = list.finite.data() + first;
       for (const SearchItem* end = item + count; item < end; ++item) test(*item);
-      t_max = best;
+      t_max = ray.t_max;
       return false;
     };
     if (beam) {
@@ -93,16 +93,20 @@ struct ClosestSearch {
     }
     if (slips_along_box(set.objects[item.object], ray)) [[unlikely]]
       return;
-    if (candidate.t == best && top >= 0 &&
-        !set.is_tested_first(item.object, static_cast<uint32_t>(top), ray.origin, ray.direction)) {
+    if (top >= 0 && candidate.t > best * (1 - kNearlySame) &&
+        !shows_before_nearest(item, candidate)) [[unlikely]]
       return;
-    }
     nearest = 1 - nearest;
     best = candidate.t;
-    // At equal depths the object that is tested first counts.
-    ray.t_max = just_beyond(best);
+    ray.t_max = std::min(best * (1 + kNearlySame), limit);
     top = item.object;
     instance = copy;
+  }
+
+  [[gnu::noinline]] bool shows_before_nearest(const SearchItem& item, const ShapeHit& candidate) {
+    if (item.object == top) return candidate.t < best;
+    return set.shows_first(item.object, candidate.t, static_cast<uint32_t>(top), best, ray.origin,
+                           ray.direction);
   }
 
   const ShapeHit& hit() const { return hits[nearest]; }

@@ -57,8 +57,9 @@ struct ObjectSet {
   mutable std::once_flag order_made;
   mutable std::unique_ptr<const TestOrder> order;
 
-  // Whether a ray tests object a before object b (geometry.md 2.3).
-  bool is_tested_first(uint32_t a, uint32_t b, const Vec3& origin, const Vec3& direction) const;
+  // Which of two objects a ray shows that meets both at nearly the same depth (geometry.md 2.3).
+  bool shows_first(uint32_t a, double depth_a, uint32_t b, double depth_b, const Vec3& origin,
+                   const Vec3& direction) const;
   const SearchList& opaque_casters() const { return opaque ? *opaque : all; }
   const SearchList& clear_casters() const { return clear ? *clear : all; }
 };
