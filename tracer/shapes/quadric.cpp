@@ -156,11 +156,11 @@ std::shared_ptr<const Shape> Quadric::inverted() const {
 }
 
 bool Quadric::has_automatic_bounds() const {
-  const Vec3 &s = q_.square, &m = q_.mixed;
+  if (is_aslant()) return false;
+  const Vec3& s = q_.square;
   int plus = 0, minus = 0;
   double constant = -q_.constant;
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(m[i]) >= kGeometryEpsilon) return false;
     if (std::abs(s[i]) < kGeometryEpsilon) continue;
     ++(s[i] > 0 ? plus : minus);
     constant += q_.linear[i] * q_.linear[i] / (4 * s[i]);
@@ -170,66 +170,80 @@ bool Quadric::has_automatic_bounds() const {
   return constant != 0 && (constant > 0 ? plus : minus) == 1;
 }
 
+bool Quadric::is_aslant() const {
+  return std::abs(q_.mixed.x) >= kGeometryEpsilon || std::abs(q_.mixed.y) >= kGeometryEpsilon ||
+         std::abs(q_.mixed.z) >= kGeometryEpsilon;
+}
+
+// Measured on povray 3.7, mistakes included: pictures show what these boxes cut off.
 bool Quadric::bounds_within(const Bounds& range, Bounds& box) const {
-  if (std::abs(q_.mixed.x) >= kGeometryEpsilon || std::abs(q_.mixed.y) >= kGeometryEpsilon ||
-      std::abs(q_.mixed.z) >= kGeometryEpsilon) {
-    return false;
-  }
-  // s.x (x-c.x)² + s.y (y-c.y)² + s.z (z-c.z)² = rhs, linear terms left where s is 0.
+  if (is_aslant()) return false;
+  // s.x (x-c.x)² + s.y (y-c.y)² + s.z (z-c.z)² + linear = rhs, linear terms left where s is 0.
   Vec3 s = q_.square, center(0), linear(0);
-  double rhs = -q_.constant;
+  double rhs = -q_.constant, shift = 0;
+  int plus = 0, minus = 0;
+  int odd = 0;  // the axis along which the others' extents depend on the range
   for (int i = 0; i < 3; ++i) {
     if (std::abs(s[i]) < kGeometryEpsilon) {
       s[i] = 0;
+      odd = i;
       linear[i] = std::abs(q_.linear[i]) < kGeometryEpsilon ? 0 : q_.linear[i];
       continue;
     }
+    ++(s[i] > 0 ? plus : minus);
     center[i] = -q_.linear[i] / (2 * s[i]);
-    rhs += s[i] * center[i] * center[i];
+    shift += s[i] * center[i] * center[i];
   }
-  if (rhs < 0) {
+  rhs += shift;
+  const bool turned = minus > plus;
+  if (turned) {
     s = -s;
     linear = -linear;
     rhs = -rhs;
+    shift = -shift;
+    std::swap(plus, minus);
   }
-  // Where every term is a square of one sign, each axis is bounded by its own; a paraboloid's or
-  // cone's is bounded through the range of the remaining axis.
   box = Bounds::everything();
   box.clip(range);
-  bool found = false;
+  double most;  // of s.x (x-c.x)² and of the same along each other axis
+  if (plus == 3 && rhs > 0) {
+    most = rhs;
+  } else if (plus == 2 && minus == 1 && rhs >= 0) {
+    // Cones, and hyperboloids as if they were of 1.
+    for (int i = 0; i < 3; ++i) odd = s[i] < 0 ? i : odd;
+    const double reach =
+        std::max(std::abs(range.min[odd] - center[odd]), std::abs(range.max[odd] - center[odd]));
+    most = (rhs > 0 ? 1 : 0) - s[odd] * reach * reach;
+  } else if (plus == 2 && minus == 0 && !(turned && odd == 0)) {
+    if (linear[odd] == 0) {
+      if (!(rhs > 0)) return false;
+      most = rhs;
+    } else if (center != Vec3(0)) {
+      // Paraboloids away from their axis, as if they were cylinders.
+      most = shift;
+    } else {
+      // Their vertex is taken for its mirror image.
+      const double vertex = -rhs / linear[odd];
+      double end;
+      if (linear[odd] > 0) {
+        box.max[odd] = std::min(box.max[odd], vertex);
+        end = box.min[odd];
+      } else {
+        box.min[odd] = std::max(box.min[odd], vertex);
+        end = box.max[odd];
+      }
+      most = std::abs(linear[odd] * (end - vertex));
+    }
+  } else {
+    return false;
+  }
   for (int i = 0; i < 3; ++i) {
     if (!(s[i] > 0)) continue;
-    // s_i x_i² ≤ rhs − min over the range of the other terms.
-    double most = rhs;
-    for (int j = 0; j < 3 && most < kUnboundedExtent; ++j) {
-      if (j == i) continue;
-      if (s[j] < 0) {
-        const double reach = std::max(std::abs(range.min[j] - center[j]),
-                                      std::abs(range.max[j] - center[j]));
-        most = reach >= 1e9 ? 1e30 : most - s[j] * reach * reach;
-      } else if (s[j] == 0 && linear[j] != 0) {
-        const double end = linear[j] > 0 ? range.min[j] : range.max[j];
-        most = std::abs(end) >= 1e9 ? 1e30 : most - linear[j] * end;
-      }
-    }
-    if (most >= 1e30) continue;
-    const double extent = most > 0 ? std::sqrt(most / s[i]) : 0;
+    const double extent = std::sqrt(most / s[i]);
     box.min[i] = std::max(box.min[i], center[i] - extent);
     box.max[i] = std::min(box.max[i], center[i] + extent);
-    found = true;
   }
-  // A paraboloid ends at its vertex.
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    if (linear[i] == 0 || linear[j] != 0 || linear[k] != 0 || s[j] < 0 || s[k] < 0) continue;
-    const double vertex = rhs / linear[i];
-    if (linear[i] > 0) {
-      box.max[i] = std::min(box.max[i], vertex);
-    } else {
-      box.min[i] = std::max(box.min[i], vertex);
-    }
-  }
-  return found && !box.is_empty();
+  return true;
 }
 
 PlacedShape compile(const QuadricNode& node, const ShapeContext&) {

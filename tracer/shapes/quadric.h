@@ -28,6 +28,8 @@ class Quadric final : public Shape {
   // Whether the reference finds a box for it by itself, however large; bounded_by is then taken off a
   // top-level object.
   bool has_automatic_bounds() const;
+  // Whether it has mixed terms; it has no box of its own then, whatever the range.
+  bool is_aslant() const;
   // The box of the part inside `range`, by the reference's rules; false: none was found.
   bool bounds_within(const Bounds& range, Bounds& box) const;
 

@@ -48,11 +48,29 @@ void bound_quadric(ResolvedObject& object, const Bounds& range) {
   const auto& quadric = static_cast<const Quadric&>(*object.shape);
   object.box_from_quadric |= quadric.has_automatic_bounds();
   Bounds found;
-  if (!quadric.bounds_within(range, found)) return;
+  const bool is_aslant = quadric.is_aslant();
+  if (is_aslant) {
+    found = range;
+  } else if (!quadric.bounds_within(range, found)) {
+    return;
+  }
   const FloatBox box = FloatBox::from(found);
   if (box.volume() >= object.box.volume()) return;
-  object.box = infinite_if_huge(box);
-  object.box_from_quadric = true;
+  object.box = is_aslant ? box : infinite_if_huge(box);
+  object.box_from_quadric |= !is_aslant;
+}
+
+// Where it stands when a clip is written; later moves take the box along.
+void bound_clipped_quadric(ResolvedObject& object) {
+  Bounds range = Bounds::everything();
+  for (const ResolvedObject& clip : object.clips) {
+    if (clip.is_plane && clip.shape) {
+      clip_to_half_space(range, clip);
+    } else if (!clip.inverted) {
+      range.clip(clip.box.to_bounds());
+    }
+  }
+  bound_quadric(object, range);
 }
 
 // Box of a CSG from its members' (6.6).
@@ -320,21 +338,8 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
   if (object->shape && result.shape && std::holds_alternative<Rare<JuliaFractalNode>>(*object->shape)) {
     result.shape = result.shape->transformed(Transform());
   }
-  if (changes_boxes) {
-    if (result.is_plane && result.shape && !result.clips.empty()) {
-      result.box = result.clips.front().box;
-    }
-    if (result.is_quadric && result.shape && !result.clips.empty()) {
-      Bounds range = Bounds::everything();
-      for (const ResolvedObject& clip : result.clips) {
-        if (clip.is_plane && clip.shape) {
-          clip_to_half_space(range, clip);
-        } else if (!clip.inverted) {
-          range.clip(clip.box.to_bounds());
-        }
-      }
-      bound_quadric(result, range);
-    }
+  if (changes_boxes && result.is_plane && result.shape && !result.clips.empty()) {
+    result.box = result.clips.front().box;
   }
   // Every statement installs them again, also one that only moves a copy. The own statement of a
   // height_field or blob sets its box last.
@@ -496,6 +501,7 @@ void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier, boo
       object.clips.push_back(resolve(clip));
       object.clips.back().expand();
     }
+    if (object.is_quadric && object.shape) bound_clipped_quadric(object);
   } else if (std::holds_alternative<ShareBoundsAsClips>(modifier)) {
     object.clips = std::move(object.bounds);
     object.bounds.clear();
