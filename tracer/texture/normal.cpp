@@ -231,7 +231,7 @@ class MappedNormal : public CompiledNormal {
     Vec3 bent = entries_[place.lower].item->perturb(q, context, n);
     if (place.lower != place.upper) {
       const Vec3 upper = entries_[place.upper].item->perturb(q, context, n);
-      bent += static_cast<double>(place.share) * (upper - bent);
+      bent += place.share * (upper - bent);
     }
     return normalize_or_zero(frame_.outwards(bent));
   }

@@ -40,12 +40,8 @@ class ColorMapPigment : public CompiledPigment {
   bool evaluate(const Vec3& point, const TextureContext& context,
                 ColorRGBFT& color) const override {
     const MapPlace place = positions_.find(pattern_.value(point, context));
-    if (place.lower == place.upper) {
-      color = entries_[place.lower].item;
-    } else {
-      const ColorRGBFT& low = entries_[place.lower].item;
-      color = low + (entries_[place.upper].item + low * -1.0f) * place.share;
-    }
+    color = entries_[place.lower].item;
+    if (place.lower != place.upper) color = blend(color, entries_[place.upper].item, place.share);
     return true;
   }
   bool is_opaque() const override {
@@ -89,7 +85,7 @@ class PigmentMapPigment : public CompiledPigment {
     if (place.lower == place.upper) return found;
     ColorRGBFT upper;
     const bool found_upper = entries_[place.upper].item->evaluate(warped, context, upper);
-    color = color + (upper + color * -1.0f) * place.share;
+    color = blend(color, upper, place.share);
     return found || found_upper;
   }
   bool is_opaque() const override { return all_opaque(entries_); }
@@ -118,7 +114,8 @@ class AveragePigment : public CompiledPigment {
       sum = sum + c * entry.position;
       weights += entry.position;
     }
-    color = sum * (1 / weights);
+    color = {sum.red / weights, sum.green / weights, sum.blue / weights, sum.filter / weights,
+             sum.transmit / weights};
     return true;
   }
   bool is_opaque() const override { return all_opaque(entries_); }
