@@ -23,12 +23,12 @@ wrinkles | wrinkles triangle_wave | brick | brick brick_size <0.7, 0.3, 0.5> mor
 checker | checker scale <0.3, 0.7, 1.1> rotate <10, 20, 30> | crackle | crackle form <1, 0.2, -0.3>
 crackle metric 1 | crackle metric 2.5 form <0, 1, 0> | crackle offset 0.3 form <0.5, 0.2, 0> | crackle solid
 crackle metric 0.6 solid | cubic | cylindrical | cylindrical poly_wave 2.5 | density_file df3 "d1.df3"
-density_file df3 "d2.df3" interpolate 1 | gradient x | gradient <1, -2, 0.5> frequency -1.5 phase 0.3
+density_file df3 "d2.df3" interpolate 1 | density_file df3 "d4.df3" interpolate 2 | gradient x | gradient <1, -2, 0.5> frequency -1.5 phase 0.3
 gradient y scallop_wave | hexagon | hexagon turbulence 0.2 scale 0.4 | image_pattern { ppm "a.ppm" }
 image_pattern { png "g8.png" } scale 3 | image_pattern { png "palt.png" interpolate 3 use_alpha } | julia <0.353, 0.288>, 12 exterior 6, 0.3 | julia <-0.4, 0.6>, 9 exponent 3
 julia <0.3, 0.5>, 15 exponent 6 interior 1, 1 exterior 0, 0.3 | leopard | leopard scale 0.1 cubic_wave
 magnet 1 mandel 9 | magnet 2 mandel 9 interior 1, 0.3 | magnet 1 julia <0.8, 0.6>, 7 exterior 2, 0.01
-magnet 2 julia <1.2, 0.3>, 7 exterior 4, 0.001 | mandel 15 | mandel 12 exponent 5 interior 4, 2 exterior 5, 0.1
+magnet 2 julia <1.2, 0.3>, 7 exterior 4, 0.001 | mandel 15 | mandel 12 exponent 5 interior 4, 2 exterior 5, 0.1 | mandel 3 exponent 8 exterior 2, 1 scale 0.2
 marble | marble turbulence 0.7 | marble turbulence <0.4, 5, 5> octaves 9 ramp_wave | object { sphere { 0, 1.3 } }
 object { difference { box { -1, 1 } cylinder { -2*z, 2*z, 0.6 } rotate 20*x } } | onion | onion phase 0.4 sine_wave
 pigment_pattern { checker rgb <1, 0.3, 0.2>, rgb <0.1, 0.5, 0.9> } | planar | planar rotate 30*z

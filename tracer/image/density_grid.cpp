@@ -25,11 +25,14 @@ int before(int index, int size) {
   return static_cast<int>(UINT64_MAX % static_cast<uint64_t>(size));
 }
 
-// Hermite blend of four samples, in single precision as POV-Ray does it.
+// Hermite blend of four samples in single precision; the sums of coefficients are rounded once
+// (measured on povray 3.7).
 float cubic(float a, float b, float c, float d, float t) {
   const float slope0 = (c - a) / 2, slope1 = (d - b) / 2;
-  const float e = 2 * (b - c) + slope0 + slope1;
-  const float g = -3 * (b - c) - 2 * slope0 - slope1;
+  const double step = static_cast<double>(b - c);
+  const double s0 = static_cast<double>(slope0), s1 = static_cast<double>(slope1);
+  const auto e = static_cast<float>(2 * step + s0 + s1);
+  const auto g = static_cast<float>(-3 * step - 2 * s0 - s1);
   return ((e * t + g) * t + slope0) * t + b;
 }
 
