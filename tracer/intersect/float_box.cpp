@@ -30,7 +30,8 @@ FloatBox FloatBox::transformed(const Transform& transform) const {
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 p;
     for (int i = 0; i < 3; ++i) {
-      p[i] = static_cast<double>(corner & (1 << i) ? lower[i] + length[i] : lower[i]);
+      p[i] =
+          static_cast<double>(lower[i]) + (corner & (1 << i) ? static_cast<double>(length[i]) : 0);
     }
     result.extend(transform.point(p));
   }

@@ -25,9 +25,11 @@ class Polygon final : public Shape {
     Bounds box;
     for (const Vec2& p : points_) box.extend(frame_.point({p.x, p.y, 0}));
     for (int i = 0; i < 3; ++i) {
-      if (box.max[i] - box.min[i] >= kThickness) continue;
-      box.min[i] -= kThickness;
-      box.max[i] += kThickness;
+      // A box's lower corner and its edges are kept in single precision; what is flat grows after.
+      const float edge = static_cast<float>(box.max[i] - box.min[i]);
+      if (edge >= static_cast<float>(kThickness)) continue;
+      box.min[i] = static_cast<double>(static_cast<float>(box.min[i])) - kThickness;
+      box.max[i] = box.min[i] + (static_cast<double>(edge) + 2 * kThickness);
     }
     return box;
   }
