@@ -38,14 +38,17 @@ Corners corners_of(const MeshNode& mesh, int64_t face) {
   return c;
 }
 
-// The shares of a triangle's corners at a point of its plane; false outside.
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+// The shares of a triangle's corners at a point of its plane; false outside. Each is worked out by
+// itself: on an upright or level edge it is exactly 0, whatever the others are.
 bool corner_shares(const Vec2 corner[3], const Vec2& p, double share[3]) {
-  const Vec2 e1 = corner[1] - corner[0], e2 = corner[2] - corner[0], d = p - corner[0];
-  const double area = e1.x * e2.y - e1.y * e2.x;
+  const double area = cross(corner[1] - corner[0], corner[2] - corner[0]);
   if (area == 0) return false;
-  share[1] = (d.x * e2.y - d.y * e2.x) / area;
-  share[2] = (e1.x * d.y - e1.y * d.x) / area;
-  share[0] = 1 - share[1] - share[2];
+  const Vec2 to[3] = {corner[0] - p, corner[1] - p, corner[2] - p};
+  for (int i = 0; i < 3; ++i) share[i] = cross(to[(i + 1) % 3], to[(i + 2) % 3]) / area;
   return share[0] >= 0 && share[1] >= 0 && share[2] >= 0;
 }
 
@@ -147,6 +150,8 @@ bool MeshCamera::ray_of_texture_place(double u, double v, Ray& ray) const {
       for (int i = 0; i < 3; ++i) {
         normal += share[i] * Vec3(mesh.normals[mesh.face_normals[index][i]]);
       }
+    } else if (smooth_) {
+      normal = Vec3(0, 1, 0);  // measured on povray 3.7
     }
     ray = finished_ray(placed, origin, normal);
     return true;
