@@ -37,29 +37,27 @@ int Nesting::levels(const PatternNode& pattern) {
   return most;
 }
 
-// Pigments and normals: a pattern, perhaps a map, perhaps another one inside.
+// Pigments and normals: a pattern, perhaps a map.
 template <typename Node, typename Map>
 int Nesting::levels_of_patterned(const std::shared_ptr<const Node>& node,
-                                 const std::shared_ptr<const Map>& map,
-                                 const std::shared_ptr<const Node>& inner) {
+                                 const std::shared_ptr<const Map>& map) {
   const PatternNode& pattern = *node->pattern;
-  if (!map && !inner && !pattern.object && !pattern.pigment && !pattern.function) return 0;
+  if (!map && !pattern.object && !pattern.pigment && !pattern.function) return 0;
   int most = find(node.get());
   if (most >= 0) return most;
   most = std::max(levels_of_map(map), levels(pattern));
-  if (inner) most = std::max(most, 1 + levels(inner));
   remember(node, most);
   return most;
 }
 
 int Nesting::levels(const std::shared_ptr<const PigmentNode>& pigment) {
   if (!pigment) return 0;
-  return levels_of_patterned(pigment, pigment->maps->pigment_map, pigment->maps->inner);
+  return levels_of_patterned(pigment, pigment->maps->pigment_map);
 }
 
 int Nesting::levels(const std::shared_ptr<const NormalNode>& normal) {
   if (!normal) return 0;
-  return levels_of_patterned(normal, normal->normal_map, normal->inner);
+  return levels_of_patterned(normal, normal->normal_map);
 }
 
 int Nesting::levels(const TexturePtr& texture) {

@@ -36,8 +36,7 @@ class Nesting {
   int levels_of_map(const std::shared_ptr<const Map>& map);
   template <typename Node, typename Map>
   int levels_of_patterned(const std::shared_ptr<const Node>& node,
-                          const std::shared_ptr<const Map>& map,
-                          const std::shared_ptr<const Node>& inner);
+                          const std::shared_ptr<const Map>& map);
   int levels_of_shape(const ShapeNode& shape);
 
   std::unordered_map<const void*, Known> known_;

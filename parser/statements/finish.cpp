@@ -41,6 +41,7 @@ class FinishReader {
     if (parser_.accept(Keyword::diffuse)) {
       if (parser_.accept(Keyword::albedo)) albedo_diffuse_ = true;
       finish_.diffuse = number();
+      finish_.diffuse_back = 0;
       parser_.accept_comma();
       if (parser_.at_expression()) {
         finish_.diffuse_back = number();
@@ -78,7 +79,6 @@ class FinishReader {
       parse_reflection();
     } else if (parser_.accept(Keyword::irid)) {
       parser_.expect_open("irid");
-      finish_.irid = {};
       finish_.irid.amount = number();
       for (;;) {
         if (parser_.accept(Keyword::thickness)) {

@@ -30,12 +30,13 @@ class NormalReader {
   }
 
  private:
-  // What follows belongs to an inner normal at (u, v, 0), up to an amount behind its modifiers: that one
-  // and all modifiers after it belong to the normal around it. Of these only no_bump_scale has an effect
-  // (measured on povray 3.7).
+  // What follows belongs to a new normal at (u, v, 0), the only entry of a map, up to an amount behind its
+  // modifiers: that one and all modifiers after it belong to the normal around it. Of these only
+  // no_bump_scale has an effect (measured on povray 3.7).
   void read_uv() {
-    auto inner = std::make_shared<NormalNode>(node_);
+    auto inner = std::make_shared<NormalNode>();
     NormalReader(parser_, *inner).read();
+    const bool copied_no_bump_scale = node_.no_bump_scale;
     node_ = NormalNode{};
     node_.pattern.edit().kind = PatternKind::uv_mapping;
     read_amount();
@@ -44,11 +45,13 @@ class NormalReader {
     if (node_.normal_map || node_.slope_map) {
       parser_.error("a map belongs before the amount of a uv_mapping normal");
     }
-    const bool no_bump_scale = node_.no_bump_scale;
+    const bool no_bump_scale = node_.no_bump_scale || copied_no_bump_scale;
     node_ = NormalNode{};
     node_.pattern.edit().kind = PatternKind::uv_mapping;
     node_.no_bump_scale = no_bump_scale;
-    node_.inner = std::move(inner);
+    auto map = std::make_shared<NormalMap>();
+    map->entries.push_back({0, std::move(inner)});
+    node_.normal_map = std::move(map);
   }
 
   void read_amount() {
@@ -79,8 +82,11 @@ class NormalReader {
     }
   }
 
+  // A list also takes the place of a slope map, and of an accuracy (measured on povray 3.7).
   void read_list(int count) {
     node_.normal_map = nullptr;
+    node_.slope_map = nullptr;
+    node_.accuracy = NormalNode{}.accuracy;
     if (!parser_.at(Keyword::normal)) return;
     auto map = std::make_shared<NormalMap>();
     while (static_cast<int>(map->entries.size()) < count && parser_.accept(Keyword::normal)) {
@@ -117,12 +123,15 @@ class NormalReader {
       }
       node_.normal_map = parse_normal_map(
           parser_, node_.pattern->kind == PatternKind::average ? MapEntries::weights : MapEntries::places);
+      node_.slope_map = nullptr;  // the last map holds
     } else if (parser_.accept(Keyword::slope_map)) {
       if (list_length(node_.pattern->kind) > 0 || node_.pattern->kind == PatternKind::average ||
-          node_.pattern->kind == PatternKind::bump_map) {
+          node_.pattern->kind == PatternKind::bump_map ||
+          node_.pattern->kind == PatternKind::uv_mapping) {
         parser_.error("this pattern takes no slope_map");
       }
       node_.slope_map = parse_slope_map(parser_);
+      node_.normal_map = nullptr;
     } else {
       return false;
     }

@@ -136,6 +136,7 @@ bool accept_kind(Parser& parser, PatternNode& node, PatternUse use) {
   if (const PatternKind simple = simple_pattern(keyword); simple != K::none) {
     parser.next();
     node.kind = simple;
+    if (simple == K::crackle) node.crackle = {};  // others keep what a copy brings along
     return true;
   }
   if (parser.accept(Keyword::gradient)) {

@@ -44,15 +44,17 @@ class PigmentReader {
  private:
   bool is_density() const { return use_ == PatternUse::density; }
 
-  // Everything after uv_mapping belongs to an inner pigment at (u, v, 0).
+  // Everything after uv_mapping belongs to a new pigment at (u, v, 0), the only entry of a map.
   void read_uv() {
-    auto inner = std::make_shared<PigmentNode>(node_);
+    auto inner = std::make_shared<PigmentNode>();
     PigmentReader(parser_, *inner, use_).read();
     node_ = PigmentNode{};
     node_.is_unspecified = false;
     node_.quick_color = inner->quick_color;
     node_.pattern.edit().kind = PatternKind::uv_mapping;
-    node_.maps = PigmentMaps{.inner = std::move(inner)};
+    auto map = std::make_shared<PigmentMap>();
+    map->entries.push_back({0, std::move(inner)});
+    node_.maps = PigmentMaps{.pigment_map = std::move(map)};
   }
 
   // A colour or a pattern with its list.

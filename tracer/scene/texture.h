@@ -43,15 +43,15 @@ using TextureMap = BlendMap<std::shared_ptr<const TextureNode>>;
 // What a pattern's values choose among.
 struct PigmentMaps {
   std::shared_ptr<const ColorMap> color_map = nullptr;  // null with pigment_map; else the default
-  std::shared_ptr<const PigmentMap> pigment_map = nullptr;  // pigment_map, pigment lists, average
-  std::shared_ptr<const PigmentNode> inner = nullptr;       // uv_mapping
+  // pigment_map, pigment lists, average; uv_mapping: one entry
+  std::shared_ptr<const PigmentMap> pigment_map = nullptr;
 };
 
 // A solid colour, or a pattern with a map. Lists (checker a, b) are maps with positions 0, 1, ...
 // Also a density{}: then colours are taken as rgb.
 struct PigmentNode {
-  // kind none: solid `color` (or unspecified, see is_unspecified). kind uv_mapping: `inner` holds
-  // what follows in the braces, looked up at (u,v,0). kind image_map: pattern.image.
+  // kind none: solid `color` (or unspecified, see is_unspecified). kind uv_mapping: the
+  // map's first entry is what follows in the braces, looked up at (u,v,0). kind image_map: pattern.image.
   Rare<PatternNode> pattern;
   bool is_unspecified = true;  // neither colour nor pattern was given: black
   ColorRGBFT color;
@@ -67,8 +67,7 @@ struct NormalNode {
   float accuracy = 0.02f;
   bool no_bump_scale = false;
   std::shared_ptr<const SlopeMap> slope_map;
-  std::shared_ptr<const NormalMap> normal_map;  // normal_map, lists, average
-  std::shared_ptr<const NormalNode> inner;      // uv_mapping
+  std::shared_ptr<const NormalMap> normal_map;  // normal_map, lists, average; uv_mapping: one entry
 };
 
 struct Irid {

@@ -340,7 +340,7 @@ std::unique_ptr<const CompiledNormal> compile_normal(const NormalNode& node,
   settings.no_bump_scale = outer.no_bump_scale || node.no_bump_scale;
   switch (node.pattern->kind) {
     case PatternKind::uv_mapping:
-      return std::make_unique<UvNormal>(compile_normal(*node.inner, settings));
+      return std::make_unique<UvNormal>(compile_normal(*node.normal_map->entries.front().item, settings));
     case PatternKind::average:
       return std::make_unique<AverageNormal>(node, settings);
     case PatternKind::bump_map:

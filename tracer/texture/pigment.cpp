@@ -152,7 +152,11 @@ std::unique_ptr<const CompiledPigment> compile_pigment(const PigmentNode& node,
     case PatternKind::none:
       return std::make_unique<SolidPigment>(node.color);
     case PatternKind::uv_mapping:
-      return std::make_unique<UvPigment>(compile_pigment(*node.maps->inner, settings));
+      if (node.maps->color_map) {  // of a copy: the pattern's value is 0
+        return std::make_unique<SolidPigment>(node.maps->color_map->entries.front().item);
+      }
+      return std::make_unique<UvPigment>(
+          compile_pigment(*node.maps->pigment_map->entries.front().item, settings));
     case PatternKind::average:
       return std::make_unique<AveragePigment>(node, settings);
     case PatternKind::image_map:

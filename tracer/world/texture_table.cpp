@@ -16,7 +16,7 @@ bool needs_uv(const PatternNode& pattern);
 
 bool needs_uv(const PigmentNode* pigment) {
   if (!pigment) return false;
-  if (needs_uv(pigment->pattern) || needs_uv(pigment->maps->inner.get())) return true;
+  if (needs_uv(pigment->pattern)) return true;
   if (pigment->maps->pigment_map) {
     for (const auto& entry : pigment->maps->pigment_map->entries) {
       if (needs_uv(entry.item.get())) return true;
@@ -27,7 +27,7 @@ bool needs_uv(const PigmentNode* pigment) {
 
 bool needs_uv(const NormalNode* normal) {
   if (!normal) return false;
-  if (needs_uv(normal->pattern) || needs_uv(normal->inner.get())) return true;
+  if (needs_uv(normal->pattern)) return true;
   if (normal->normal_map) {
     for (const auto& entry : normal->normal_map->entries) {
       if (needs_uv(entry.item.get())) return true;
