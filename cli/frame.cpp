@@ -115,7 +115,8 @@ struct PreparedView {
   PreparedView(const Scene& from, std::vector<ObjectPtr> objects, const CameraNode& node,
                const Options& options)
       : PreparedView(from, std::move(objects), node, options,
-                     {options.render.quality, options.output_alpha}) {}
+                     {options.render.quality, options.output_alpha,
+                      significant_bits(picture_output(options, from))}) {}
 
   ShadingScene scene;
   Camera camera;

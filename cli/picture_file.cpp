@@ -78,6 +78,12 @@ PictureOutput picture_output(const Options& options, const Scene& scene) {
   return output;
 }
 
+int significant_bits(const PictureOutput& output) {
+  const bool is_floating =
+      output.type == PictureFileType::exr || output.type == PictureFileType::hdr;
+  return is_floating ? 16 : output.format.bits;
+}
+
 void write_picture(const std::string& path, const Picture& picture, const Options& options,
                    const Scene& scene) {
   if (path == "stderr") {

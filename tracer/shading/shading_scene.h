@@ -15,6 +15,7 @@ namespace durer {
 struct ShadingOptions {
   int quality = 9;            // 0..9 (spec/shading.md 15)
   bool output_alpha = false;  // +UA: the background is transparent
+  int bits = 8;               // per channel of the picture: what can be seen in it
 };
 
 // What textures of a scene are compiled with.

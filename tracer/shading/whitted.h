@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "tracer/math/uncleared.h"
 #include "tracer/shading/direct_light.h"
@@ -22,7 +23,8 @@ class WhittedIntegrator : public Integrator {
                     RayObserver* observer = nullptr)
       : scene_(scene),
         direct_light_(scene),
-        least_seen_light_(kLeastSeen / static_cast<float>(std::max<size_t>(1, scene.lights.size()))),
+        least_seen_light_(std::ldexp(kLeastSeen, -scene.options.bits) /
+                          static_cast<float>(std::max<size_t>(1, scene.lights.size()))),
         recursive_(depth == Depth::recursive),
         indirect_(indirect),
         observer_(observer) {}
@@ -113,9 +115,9 @@ class WhittedIntegrator : public Integrator {
                     const TextureLayer& top_layer, const Vec3& top_normal, double ratio,
                     double dispersion, int samples, RayCounts& counts) const;
 
-  // What all lights together may leave out of a pixel: less than a tenth of an 8-bit code, also in the
-  // dark, where the sRGB curve is steepest.
-  static constexpr float kLeastSeen = 1.0f / 32768;
+  // What all lights together may leave out of a pixel, in codes of the picture: less than a tenth after
+  // the sRGB curve, also in the dark, where it is steepest.
+  static constexpr float kLeastSeen = 1.0f / 128;
 
   const ShadingScene& scene_;
   DirectLight direct_light_;
