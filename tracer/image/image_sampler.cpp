@@ -20,6 +20,12 @@ double azimuth_fraction(double x, double z, double radius) {
   return angle / (2 * M_PI);
 }
 
+// The same of the unit vector, as POV-Ray takes it: interpolated indices show the last digits.
+double direction_fraction(const Vec3& p) {
+  const Vec3 d = p / length(p);
+  return azimuth_fraction(d.x, d.z, std::sqrt(d.x * d.x + d.z * d.z));
+}
+
 double wrap(double value, double size) {
   const double rest = std::fmod(value, size);
   return rest < 0 ? rest + size : rest;
@@ -130,13 +136,13 @@ bool ImageSampler::locate(const Vec3& p, double& x, double& y) const {
     case ImageMapType::spherical: {
       const double distance = length(p);
       if (distance == 0) return false;
-      u = (around == 0 ? 0 : azimuth_fraction(p.x, p.z, around)) * repeated_width_;
+      u = (around == 0 ? 0 : direction_fraction(p)) * repeated_width_;
       v = (0.5 + std::asin(std::clamp(p.y / distance, -1.0, 1.0)) / M_PI) * repeated_height_;
       break;
     }
     case ImageMapType::cylindrical:
       if ((once_ && (p.y < 0 || p.y > 1)) || around == 0) return false;
-      u = azimuth_fraction(p.x, p.z, around) * repeated_width_;
+      u = direction_fraction(p) * repeated_width_;
       v = std::fmod(p.y * repeated_height_, repeated_height_);
       break;
     case ImageMapType::toroidal: {

@@ -288,9 +288,13 @@ class BumpMapNormal : public CompiledNormal {
     const double left = x - 1 < 0 ? x - 1 + width : x - 1;
     const double right = x + 1 >= width ? x + 1 - width : x + 1;
     const double below = y + 1 >= height ? y + 1 - height : y + 1;
-    const double g1 = grey(x, y), g2 = grey(left, below), g3 = grey(right, below);
-    const Vec3 b = normalize_or_zero(
-        cross(Vec3(2, amount_ * (g3 - g2), 0), Vec3(1, amount_ * (g1 - g2), -1)));
+    Vec3 heights = use_index_ ? indices(x, y, left, right, below) : Vec3(-1);
+    // -1: an image without a palette. Then none of the three counts.
+    if (heights.x == -1 || heights.y == -1 || heights.z == -1)
+      heights = {grey(x, y), grey(left, below), grey(right, below)};
+    const Vec3 b =
+        normalize_or_zero(cross(Vec3(2, amount_ * (heights.z - heights.y), 0),
+                                Vec3(1, amount_ * (heights.x - heights.y), -1)));
     const Vec3 n = frame_.inwards(normal);
     Vec3 up = n, side = cross(n, Vec3(0, 1, 0));
     if (length(side) < 1e-10) {
@@ -305,11 +309,10 @@ class BumpMapNormal : public CompiledNormal {
   }
 
  private:
+  Vec3 indices(double x, double y, double left, double right, double below) const {
+    return {sampler_.index(x, y), sampler_.index(left, below), sampler_.index(right, below)};
+  }
   double grey(double x, double y) const {
-    if (use_index_) {
-      // -1: the image has no palette.
-      if (const int index = sampler_.index(x, y); index != -1) return index;
-    }
     return static_cast<double>(sampler_.color(x, y).rgb().grey());
   }
 
