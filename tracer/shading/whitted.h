@@ -115,9 +115,9 @@ class WhittedIntegrator : public Integrator {
                     const TextureLayer& top_layer, const Vec3& top_normal, double ratio,
                     double dispersion, int samples, RayCounts& counts) const;
 
-  // What all lights together may leave out of a pixel, in codes of the picture: less than a tenth after
-  // the sRGB curve, also in the dark, where it is steepest.
-  static constexpr float kLeastSeen = 1.0f / 128;
+  // What all lights together may leave out of a hit, in codes of the picture: less than a twentieth
+  // after the sRGB curve, also in the dark, where it is steepest.
+  static constexpr float kLeastSeen = 1.0f / 256;
 
   const ShadingScene& scene_;
   DirectLight direct_light_;
