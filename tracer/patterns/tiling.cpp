@@ -35,6 +35,9 @@ class Tiling : public BasePattern {
     std::vector<Edge> edges;
   };
   void add_copy(const TilingPolygon& polygon, const Vec2& shift);
+  Vec2 tie_shift(const Vec3& p) const;
+  bool is_on_mirror(const Vec3& p) const;
+  double value_on_mirror(const Vec3& p, int tile_class, double numerator) const;
   double adjusted(double numerator, const Tile& tile) const;
 
   int number_;
@@ -104,12 +107,57 @@ void Tiling::add_copy(const TilingPolygon& polygon, const Vec2& shift) {
   tiles_.push_back(std::move(tile));
 }
 
+// Where a point on a common edge is looked for: on the side of the tile to which POV-Ray gives the edge
+// (faces of boxes and planes such as z = 0 may lie on edges all over; measured on povray 3.7). Tilings
+// that it folds at a mirror give edges to the tile farther from it, or nearer.
+Vec2 Tiling::tie_shift(const Vec3& p) const {
+  constexpr double kAlongX = 1e-11, kAlongZ = 1e-9;
+  const auto away_from = [](double v, double mirror) { return v < mirror ? -1.0 : 1.0; };
+  const auto towards_sixth = [](double v) { return v - 6 * std::round(v / 6) > 0 ? -1.0 : 1.0; };
+  switch (number_) {
+    case 8: return {kAlongX, p.z > 0 ? -kAlongZ : kAlongZ};
+    case 12: return {towards_sixth(p.x) * kAlongX, towards_sixth(p.z) * kAlongZ};
+    case 13:
+    case 14: return {0, 0};  // by the order of the tiles
+    case 16:
+    case 17: return {away_from(p.x, -1) * kAlongX, away_from(p.z, 0) * kAlongZ};
+    case 19:
+    case 20: {
+      const double x = p.x - 7 * std::floor(p.x / 7);
+      const bool below = number_ == 19 ? (x > 2.5 && x < 3) || (x > 4 && x < 5) : x > 4;
+      return {kAlongX, below ? -kAlongZ : kAlongZ};
+    }
+    case 23:
+    case 24: return {away_from(p.x, 0) * kAlongX, away_from(p.z, 0) * kAlongZ};
+    default: return {kAlongX, kAlongZ};
+  }
+}
+
+// The very lines at which POV-Ray folds some tilings have values of their own (measured on povray 3.7).
+bool Tiling::is_on_mirror(const Vec3& p) const {
+  switch (number_) {
+    case 3: return p.x == std::floor(p.x);
+    case 12: return std::fmod(p.x, 6) == 0 || std::fmod(p.z, 6) == 0;
+    case 13:
+    case 14: return p.x == 0 || p.z == 0;
+    default: return false;
+  }
+}
+
+double Tiling::value_on_mirror(const Vec3& p, int tile_class, double numerator) const {
+  if (number_ == 3) return (numerator + 1 - 2 * tile_class) / classes_;  // the other class
+  if (number_ != 12) return 0;
+  const double z = std::abs(p.z - 6 * std::round(p.z / 6));
+  return (z >= 1 && z <= 2 ? 0.99997 : 0.99994) / classes_;
+}
+
 double Tiling::base_value(const Vec3& p, const PatternContext&) const {
   // The point in the period at the origin.
   const double s = inverse_[0][0] * p.x + inverse_[0][1] * p.z;
   const double t = inverse_[1][0] * p.x + inverse_[1][1] * p.z;
-  const Vec2 q(p.x - std::floor(s) * a_.x - std::floor(t) * b_.x,
-               p.z - std::floor(s) * a_.y - std::floor(t) * b_.y);
+  const Vec2 q = Vec2(p.x - std::floor(s) * a_.x - std::floor(t) * b_.x,
+                      p.z - std::floor(s) * a_.y - std::floor(t) * b_.y) +
+                 tie_shift(p);
 
   // The tile that contains it: the one whose nearest edge line is furthest inside.
   const Tile* found = nullptr;
@@ -130,7 +178,9 @@ double Tiling::base_value(const Vec3& p, const PatternContext&) const {
     }
   }
   if (!found) return 0;  // NaN coordinates
-  return adjusted(found->tile_class + std::max(0.0, 1 - std::max(0.0, best_ratio)), *found);
+  const double numerator = found->tile_class + std::max(0.0, 1 - std::max(0.0, best_ratio));
+  if (is_on_mirror(p)) [[unlikely]] return value_on_mirror(p, found->tile_class, numerator);
+  return adjusted(numerator, *found);
 }
 
 // Offsets that put flat interiors on the upper side of a double map entry.
