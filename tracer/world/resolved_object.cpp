@@ -18,10 +18,12 @@ void clip_to_half_space(Bounds& box, const ResolvedObject& object) {
   Vec3 n = plane.unit_normal();
   double d = plane.distance();
   if (object.has_transform) {
-    // The reference turns the normal the wrong way; pictures depend on it.
-    n = object.transform->forward.transposed_direction(n);
-    const Vec3 back = object.transform->inverse.transposed_direction(n);
-    d = d - dot(back, n) + 1;
+    // The reference turns the normal the wrong way; pictures depend on it. How far the plane is moved
+    // counts along the normal as written (measured on povray 3.7).
+    const Matrix& forward = object.transform->forward;
+    d += dot(n, forward.row[3]) + 1;
+    n = forward.transposed_direction(n);
+    d -= dot(object.transform->inverse.transposed_direction(n), n);
   }
   for (int axis = 0; axis < 3; ++axis) {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
