@@ -110,11 +110,13 @@ class FinishReader {
     return true;
   }
 
-  // What an earlier block, or the finish that is copied, said goes on where this one says nothing
-  // (measured on povray 3.7).
+  // What an earlier block, or the finish that is copied, said goes on where this one says nothing; the
+  // form without braces ends fresnel and falloff (measured on povray 3.7).
   void parse_reflection() {
     if (!parser_.accept(Symbol::brace_open)) {
       finish_.reflection_max = finish_.reflection_min = parser_.parse_rgb();
+      finish_.reflection_fresnel = false;
+      finish_.reflection_falloff = 1;
       return;
     }
     bool two_colors = false, from_zero = false;

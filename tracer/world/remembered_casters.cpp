@@ -43,7 +43,9 @@ class Finder {
   // solid itself meets first. Looked for from all directions, through points that fill its box.
   bool shows_opaque_member(const RememberedCaster& caster) {
     const GeometryNode& node = data_.geometry.nodes[caster.node];
-    if (!node.surface_is_bounded || !node.reach.is_bounded()) return true;
+    if (!node.surface_is_bounded || !node.reach.is_bounded()) {
+      return has_opaque_member(caster.node);
+    }
     const double diagonal = length(node.reach.size());
     constexpr int kRays = 256;
     for (int i = 1; i <= kRays; ++i) {
@@ -65,6 +67,15 @@ class Finder {
   }
 
  private:
+  bool has_opaque_member(uint32_t index) const {
+    const GeometryNode& node = data_.geometry.nodes[index];
+    if (node.kind == NodeKind::shape) return is_opaque_node(data_, index);
+    for (uint32_t i = 0; i < node.children.count; ++i) {
+      if (has_opaque_member(data_.geometry.lists[node.children.first + i])) return true;
+    }
+    return false;
+  }
+
   // Solids, whole or in unions, whose own plain textures stop light, of members some of which do
   // not.
   void add(uint32_t index, int32_t instance) {

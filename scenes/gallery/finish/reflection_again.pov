@@ -16,4 +16,5 @@ sphere { <1.95, 0.6, 0>, 0.6 finish { Glazed reflection { 0.3, 1 } } interior { 
 sphere { <-1.3, 1.7, 0.5>, 0.6 finish { Glazed reflection { 0.3 } } interior { ior 1.5 } }
 sphere { <0, 1.7, 0.5>, 0.6 finish { Glazed reflection { 0.3, 1 fresnel off } } interior { ior 1.5 } }
 sphere { <1.3, 1.7, 0.5>, 0.6 finish { Metal reflection { 0.9 fresnel falloff 1 } } interior { ior 1.5 } }
+sphere { <2.4, 1.7, 0.5>, 0.5 finish { Glazed reflection 0.1 reflection { 0.1, 0.8 } } interior { ior 1.5 } }
 sphere { <-2.4, 1.7, 0.5>, 0.5 finish { Film irid { 0.3 } } interior { ior 1.5 } }
