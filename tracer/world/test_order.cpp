@@ -41,9 +41,19 @@ struct Walk {
 
 }  // namespace
 
-TestOrder::TestOrder(const std::vector<FloatBox>& boxes) : hierarchy_(boxes) {
+TestOrder::TestOrder(const std::vector<FloatBox>& boxes)
+    : hierarchy_(boxes), ranks_(boxes.size()) {
   static std::atomic<uint64_t> count = 0;
   number_ = ++count;
+  if (boxes.empty()) return;
+  std::vector<uint32_t> ahead{hierarchy_.root()};
+  uint32_t rank = 0;
+  while (!ahead.empty()) {
+    const BoxHierarchy::Node& node = hierarchy_.nodes()[ahead.back()];
+    ahead.pop_back();
+    if (node.element >= 0) ranks_[static_cast<size_t>(node.element)] = rank++;
+    for (uint32_t i = node.count; i-- > 0;) ahead.push_back(hierarchy_.entries()[node.first + i]);
+  }
 }
 
 bool TestOrder::shows_first(uint32_t a, double depth_a, uint32_t b, double depth_b,

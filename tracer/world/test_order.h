@@ -20,9 +20,12 @@ class TestOrder {
   // A ray's walk is followed once, as far as its questions ask for, whatever their number.
   bool shows_first(uint32_t a, double depth_a, uint32_t b, double depth_b, const Vec3& origin,
                    const Vec3& direction) const;
+  // How many objects stand before it in the hierarchy.
+  uint32_t rank(uint32_t object) const { return ranks_[object]; }
 
  private:
   BoxHierarchy hierarchy_;
+  std::vector<uint32_t> ranks_;
   uint64_t number_;  // none else of this program has it
 };
 

@@ -448,35 +448,37 @@ bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& 
 // `moved_from`, `moved_to`: a shared object's first WorldObject, and that of the copy asked.
 int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t moved_from,
                             int64_t moved_to, int* interiors, int capacity) const {
+  // Few objects have the point in their boxes: more than these are left out.
+  constexpr size_t kMost = 256;
+  uint32_t around[kMost];
+  size_t around_count = 0;
+  const auto ask = [&](uint32_t object) {
+    const TopLevelObject& top = set.objects[object];
+    if (around_count == kMost || !top.box.contains(point)) return;
+    if (top.instance >= 0 || data.geometry.inside_unclipped(top.node, point)) {
+      around[around_count++] = object;
+    }
+  };
+  for (const SearchItem& item : set.all.infinite) ask(item.object);
+  set.all.bvh.visit_point(point, [&](uint32_t position) {
+    ask(set.all.finite[position].object);
+    return false;
+  });
+  if (around_count > 1) set.put_in_order_of_hierarchy({around, around_count});
+
   int count = 0;
-  const auto ask = [&](const TopLevelObject& top) {
-    if (count == capacity || !top.box.contains(point)) return;
+  for (size_t i = 0; i < around_count && count < capacity; ++i) {
+    const TopLevelObject& top = set.objects[around[i]];
     if (top.instance >= 0) {
       const Instance& copy = data.instances[top.instance];
       const SharedGroup& group = *data.groups[copy.group];
       count += containing(group.set, copy.transform.inverse_point(point), group.first_object,
                           copy.first_object, interiors + count, capacity - count);
-    } else if (data.geometry.inside_unclipped(top.node, point)) {
+    } else {
       const int64_t object = data.geometry.nodes[top.node].object;
       interiors[count++] = data.objects[object - moved_from + moved_to].interior;
     }
-  };
-  // Few objects have the point in their boxes; they are asked in the order of the scene.
-  constexpr size_t kMost = 256;
-  uint32_t near[kMost];
-  size_t near_count = 0;
-  const auto add = [&](const SearchItem& item) {
-    if (near_count < kMost) near[near_count] = item.object;
-    return ++near_count > kMost;
-  };
-  for (const SearchItem& item : set.all.infinite) add(item);
-  set.all.bvh.visit_point(point, [&](uint32_t position) { return add(set.all.finite[position]); });
-  if (near_count > kMost) {
-    for (const TopLevelObject& top : set.objects) ask(top);
-    return count;
   }
-  std::sort(near, near + near_count);
-  for (size_t i = 0; i < near_count; ++i) ask(set.objects[near[i]]);
   return count;
 }
 

@@ -493,15 +493,27 @@ void WorldBuilder::finish() {
   finish_set(data_.scene, count >= static_cast<size_t>(options_.bounding_threshold));
 }
 
-bool ObjectSet::shows_first(uint32_t a, double depth_a, uint32_t b, double depth_b,
-                            const Vec3& origin, const Vec3& direction) const {
-  if (!uses_bounding) return depth_a < depth_b || (depth_a == depth_b && a < b);
+const TestOrder& ObjectSet::test_order() const {
   std::call_once(order_made, [&] {
     std::vector<FloatBox> all_boxes;
     for (const TopLevelObject& object : objects) all_boxes.push_back(object.box);
     order = std::make_unique<const TestOrder>(all_boxes);
   });
-  return order->shows_first(a, depth_a, b, depth_b, origin, direction);
+  return *order;
+}
+
+bool ObjectSet::shows_first(uint32_t a, double depth_a, uint32_t b, double depth_b,
+                            const Vec3& origin, const Vec3& direction) const {
+  if (!uses_bounding) return depth_a < depth_b || (depth_a == depth_b && a < b);
+  return test_order().shows_first(a, depth_a, b, depth_b, origin, direction);
+}
+
+void ObjectSet::put_in_order_of_hierarchy(std::span<uint32_t> some) const {
+  std::sort(some.begin(), some.end());
+  if (!uses_bounding) return;
+  const TestOrder& known = test_order();
+  std::sort(some.begin(), some.end(),
+            [&](uint32_t a, uint32_t b) { return known.rank(a) < known.rank(b); });
 }
 
 void WorldBuilder::finish_set(ObjectSet& set, bool uses_bounding) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -53,15 +54,20 @@ struct ObjectSet {
   // objects may be in both. Null: `all`.
   std::unique_ptr<SearchList> opaque, clear;
   bool uses_bounding = true;
-  // For coincident surfaces; made when the first are met.
+  // For coincident surfaces, and for a start in several objects; made when it is asked for.
   mutable std::once_flag order_made;
   mutable std::unique_ptr<const TestOrder> order;
 
   // Which of two objects a ray shows that meets both at nearly the same depth (geometry.md 2.3).
   bool shows_first(uint32_t a, double depth_a, uint32_t b, double depth_b, const Vec3& origin,
                    const Vec3& direction) const;
+  // Objects as POV-Ray finds them that a point is in.
+  void put_in_order_of_hierarchy(std::span<uint32_t> some) const;
   const SearchList& opaque_casters() const { return opaque ? *opaque : all; }
   const SearchList& clear_casters() const { return clear ? *clear : all; }
+
+ private:
+  const TestOrder& test_order() const;
 };
 
 // A declared object that many copies share, in its own space.
