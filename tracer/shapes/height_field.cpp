@@ -213,7 +213,12 @@ class HeightField final : public Shape {
     placed_ = Transform::scaling({1 / width, 1.0 / 65536, 1 / depth});
   }
 
-  Bounds bounds() const override { return placed_.bounds({low_, high_}); }
+  // In single precision in the grid, as POV-Ray keeps it (measured on povray 3.7).
+  Bounds bounds() const override {
+    const auto rounded = [](double v) { return static_cast<double>(static_cast<float>(v)); };
+    const double low = rounded(low_.y), height = rounded(high_.y - low_.y);
+    return placed_.bounds({{0, low, 0}, {high_.x, low + height, high_.z}});
+  }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
     struct Sink {
