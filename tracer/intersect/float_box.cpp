@@ -25,6 +25,15 @@ Bounds FloatBox::to_bounds() const {
   return bounds;
 }
 
+Bounds FloatBox::to_double_bounds() const {
+  Bounds bounds;
+  for (int i = 0; i < 3; ++i) {
+    bounds.min[i] = static_cast<double>(lower[i]);
+    bounds.max[i] = bounds.min[i] + static_cast<double>(length[i]);
+  }
+  return bounds;
+}
+
 FloatBox FloatBox::transformed(const Transform& transform) const {
   Bounds result;
   for (int corner = 0; corner < 8; ++corner) {

@@ -12,6 +12,8 @@ struct FloatBox {
 
   static FloatBox from(const Bounds& bounds);
   Bounds to_bounds() const;
+  // Its far corner not rounded: so unions and clips see it.
+  Bounds to_double_bounds() const;
   float volume() const { return length[0] * length[1] * length[2]; }
   // No longer than the reference's limit for finite objects.
   bool is_infinite() const { return volume() > 2e10f; }

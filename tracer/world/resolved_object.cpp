@@ -87,18 +87,18 @@ FloatBox csg_box(ResolvedObject& csg) {
       if (child.is_plane && child.shape) {
         clip_to_half_space(box, child);
       } else if (!child.inverted && !(child.kind == ResolvedObject::Kind::csg && child.inverted)) {
-        box.clip(child.box.to_bounds());
+        box.clip(child.box.to_double_bounds());
       }
     }
     for (ResolvedObject& child : csg.children) {
       if (!child.is_quadric || !child.shape || child.inverted) continue;
       bound_quadric(child, box);
-      box.clip(child.box.to_bounds());
+      box.clip(child.box.to_double_bounds());
     }
   } else {
     for (const ResolvedObject& child : csg.children) {
       if (child.kind == ResolvedObject::Kind::light && child.children.empty()) continue;
-      box.extend(child.box.to_bounds());
+      box.extend(child.box.to_double_bounds());
     }
   }
   if (box.is_empty()) return FloatBox();
