@@ -202,9 +202,11 @@ class Blob final : public Shape {
     Vec3 at = center;
     if (moved) {
       at = transform.point(center);
-      const Bounds cube = transform.bounds({Vec3(0), Vec3(radius)});
+      // Of single precision, as all boxes of POV-Ray.
+      const double edge = static_cast<double>(static_cast<float>(radius));
+      const Bounds cube = transform.bounds({Vec3(0), Vec3(edge)});
       const Vec3 edges = cube.max - cube.min;
-      radius = std::max({edges.x, edges.y, edges.z});
+      radius = static_cast<double>(static_cast<float>(std::max({edges.x, edges.y, edges.z})));
     }
     box_.extend(at - Vec3(radius));
     box_.extend(at + Vec3(radius));
