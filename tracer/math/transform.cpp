@@ -72,13 +72,12 @@ Transform Transform::axis_rotation(const Vec3& unit_axis, double radians) {
 }
 
 Transform Transform::rotation_from_z(const Vec3& unit_axis) {
-  // The rotation axis is z × axis; for axes along ±z any perpendicular will do.
-  Vec3 about(1, 0, 0);
-  if (1.0 - std::abs(unit_axis.z) >= 1e-12) {
-    about = unit_or_zero({-unit_axis.y, unit_axis.x, 0});
+  // For axes along ±z any perpendicular will do; nearly so counts as well (measured on povray 3.7), also
+  // what rounding leaves out of the length of 1, which would tilt them by 1e-8.
+  if (1.0 - std::abs(unit_axis.z) < 1e-10) {
+    return axis_rotation({1, 0, 0}, std::acos(unit_axis.z < 0 ? -1 : 1));
   }
-  const double cosine = unit_axis.z > 1 ? 1 : (unit_axis.z < -1 ? -1 : unit_axis.z);
-  return axis_rotation(about, std::acos(cosine));
+  return axis_rotation(unit_or_zero({-unit_axis.y, unit_axis.x, 0}), std::acos(unit_axis.z));
 }
 
 bool Transform::from_matrix(const Matrix& m, Transform& result) {
