@@ -111,12 +111,12 @@ PlacedShape compile(const PolygonNode& node, const ShapeContext&) {
     found = dot(v0, v0) > kGeometryEpsilon && dot(w, w) > kGeometryEpsilon;
   }
   if (!found) return {};
-  const Vec3 w0 = cross(u0, v0);
-  const Vec3 u = unit_or_zero(cross(v0, w0)), w = unit_or_zero(w0);
-  // Inverted by exchanging rows and columns, as povray does it: the last digits show it.
+  // Brought to unit length at last, and inverted by exchanging rows and columns, as povray does it: the
+  // last digits show it where a pattern jumps in the polygon's plane.
+  const Vec3 w0 = cross(u0, v0), u1 = cross(v0, w0), w = unit_or_zero(w0);
   Transform turn;
-  turn.forward.row[0] = u;
-  turn.forward.row[1] = unit_or_zero(cross(w, u));
+  turn.forward.row[0] = unit_or_zero(u1);
+  turn.forward.row[1] = unit_or_zero(cross(w0, u1));
   turn.forward.row[2] = w;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
