@@ -484,11 +484,11 @@ void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier, boo
   if (const auto* transform = std::get_if<Rare<Transform>>(&modifier)) {
     object.move(*transform);
   } else if (const auto* texture = std::get_if<SetTexture>(&modifier)) {
-    object.texture = {texture->texture, false, {}};
+    object.texture = {texture->texture, {}};
   } else if (const auto* fallback = std::get_if<SetDefaultTexture>(&modifier)) {
     object.default_texture = fallback->texture;
   } else if (const auto* inner = std::get_if<SetInteriorTexture>(&modifier)) {
-    object.interior_texture = {inner->texture, false, {}};
+    object.interior_texture = {inner->texture, {}};
   } else if (const auto* interior = std::get_if<SetInterior>(&modifier)) {
     object.interior = interior->interior;
     object.interior_moved = false;

@@ -12,18 +12,16 @@
 
 namespace durer {
 
-// A texture and where it has been moved since it was set.
+// A texture and how it has been moved since it was set: move by move, since that is how its patterns
+// are moved in POV-Ray, and where they jump the last digits show it.
 struct MovedTexture {
   TexturePtr texture;
-  bool moved = false;
-  Rare<Transform> transform;
+  std::vector<Transform> moves;
   bool stays = false;  // on the surface, wherever the object goes
 
   explicit operator bool() const { return texture != nullptr; }
   void move(const Transform& by) {
-    if (!texture || stays) return;
-    transform = moved ? transform->then(by) : by;
-    moved = true;
+    if (texture && !stays) moves.push_back(by);
   }
 };
 

@@ -69,7 +69,7 @@ uint32_t TextureTable::add(const TextureNode& texture) {
 
 uint32_t TextureTable::index_of(const MovedTexture& texture) {
   const TextureNode* node = texture.texture.get();
-  if (!texture.moved || looks_the_same_everywhere(*node)) {
+  if (texture.moves.empty() || looks_the_same_everywhere(*node)) {
     // Nobody else has it, so nobody will ask for it again.
     if (texture.texture.use_count() == 1) return add(*node);
     const auto [place, is_new] = unmoved_.try_emplace(node, 0);
@@ -79,14 +79,18 @@ uint32_t TextureTable::index_of(const MovedTexture& texture) {
     }
     return place->second;
   }
+  Matrix whole = texture.moves.front().forward;
+  for (size_t i = 1; i < texture.moves.size(); ++i) whole = whole * texture.moves[i].forward;
   Placement placement{};
   for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 3; ++j) placement[3 * i + j] = texture.transform->forward.row[i][j];
+    for (int j = 0; j < 3; ++j) placement[3 * i + j] = whole.row[i][j];
   }
   const auto [place, is_new] = moved_.try_emplace({node, placement}, 0);
   if (is_new) {
     kept_.push_back(texture.texture);
-    place->second = add(*transformed(texture.texture, texture.transform));
+    TexturePtr moved = texture.texture;
+    for (const Transform& move : texture.moves) moved = transformed(moved, move);
+    place->second = add(*moved);
   }
   return place->second;
 }

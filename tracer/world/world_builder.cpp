@@ -269,7 +269,7 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
                                 parent->csg == CsgKind::intersection && parent->cutaway_textures;
   if (!object.texture && object.kind != ResolvedObject::Kind::light &&
       !object.has_texture_anywhere() && !parent_cuts_away) {
-    object.texture = {default_texture_, false, {}};
+    object.texture = {default_texture_, {}};
   }
   // Interior: its own, the parent's, or a new one.
   if (object.shared_interior >= 0 && !object.interior) {
