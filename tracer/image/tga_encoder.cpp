@@ -66,7 +66,9 @@ void pack_row(const uint8_t* row, size_t width, size_t channels, FileBytes& pack
       // As far as no two neighbours are equal.
       while (count < most && !(x + count + 1 < width && are_equal(x + count, x + count + 1)))
         ++count;
-      packed.byte(static_cast<uint32_t>(count - 1));
+      // A single pixel at the end of a row is a run, as povray writes it.
+      const bool is_last = x + 1 == width;
+      packed.byte(is_last ? kRun : static_cast<uint32_t>(count - 1));
       packed.bytes(row + x * channels, count * channels);
     }
     x += count;
