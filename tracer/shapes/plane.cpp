@@ -54,7 +54,7 @@ std::shared_ptr<const Shape> Plane::inverted() const {
 }
 
 PlacedShape compile(const PlaneNode& node, const ShapeContext&) {
-  return {std::make_shared<Plane>(normalize_or_zero(node.normal), node.distance), false, {}};
+  return {std::make_shared<Plane>(node.normal, node.distance), false, {}};
 }
 
 }  // namespace durer

@@ -16,6 +16,7 @@ class Plane final : public Shape {
   bool closest(const ShapeRay& ray, HitStack& scratch, ShapeHit& hit) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3&, const ShapeHit&) const override { return normal_; }
+  bool has_unit_normals() const override { return true; }
   std::shared_ptr<const Shape> transformed(const Transform& transform) const override;
   std::shared_ptr<const Shape> inverted() const override;
   bool takes_inverse_mark() const override { return false; }

@@ -54,7 +54,7 @@ class Sphere final : public Shape {
     return dot(d, d) > radius_ * radius_;
   }
   Vec3 normal(const Vec3& p, const ShapeHit&) const override {
-    return (p - center_) / radius_;
+    return (p - center_) * (1 / radius_);
   }
   bool has_unit_normals() const override { return true; }
 

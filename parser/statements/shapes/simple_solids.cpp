@@ -43,7 +43,7 @@ ShapeNode parse_plane(Parser& parser) {
   if (length(node.normal) < kEpsilon) {
     parser.error("a plane's normal must not be the zero vector");
   }
-  node.normal = normalize_or_zero(node.normal);
+  node.normal = unit_or_zero(node.normal);
   node.distance = parser.parse_float();
   return node;
 }
@@ -79,7 +79,7 @@ ShapeNode parse_disc(Parser& parser) {
   node.normal = vector_then_comma(parser);
   // Accepted, but nothing will be seen.
   if (length(node.normal) == 0) parser.warning("a disc's normal is the zero vector");
-  node.normal = normalize_or_zero(node.normal);
+  node.normal = unit_or_zero(node.normal);
   node.radius = float_then_comma(parser);
   node.hole_radius = parser.parse_optional_float(0);
   return node;
