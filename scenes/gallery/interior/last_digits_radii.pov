@@ -1,4 +1,5 @@
-// The last digits of what is seen through spheres whose radius has a rounded reciprocal, and through turned planes.
+// The last digits of what is seen through spheres whose radius has a rounded reciprocal, and through turned planes
+// and discs.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 8 }
 camera { location <0, 0, -7> look_at 0 angle 50 }
@@ -18,3 +19,5 @@ intersection {
   Glass()
   translate <-1.2, -1.3, 0>
 }
+disc { <2, -1.9, 0>, <0.1, 0.2, -1>, 1 Glass() }
+disc { <1, -1.7, 0>, <0.1, 0.2, -1>, 0.9, 0.3 rotate 5 * y scale <1, 1.1, 1> Glass() }
