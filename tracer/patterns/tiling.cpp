@@ -155,30 +155,30 @@ double Tiling::base_value(const Vec3& p, const PatternContext&) const {
   // The point in the period at the origin.
   const double s = inverse_[0][0] * p.x + inverse_[0][1] * p.z;
   const double t = inverse_[1][0] * p.x + inverse_[1][1] * p.z;
-  const Vec2 q = Vec2(p.x - std::floor(s) * a_.x - std::floor(t) * b_.x,
-                      p.z - std::floor(s) * a_.y - std::floor(t) * b_.y) +
-                 tie_shift(p);
+  const Vec2 q(p.x - std::floor(s) * a_.x - std::floor(t) * b_.x,
+               p.z - std::floor(s) * a_.y - std::floor(t) * b_.y);
 
   // The tile that contains it: the one whose nearest edge line is furthest inside.
+  const Vec2 sought = q + tie_shift(p);
   const Tile* found = nullptr;
-  double best = -1e300, best_ratio = 0;
+  double best = -1e300;
   for (const Tile& tile : tiles_) {
-    double least = 1e300, ratio = 1e300;
+    double least = 1e300;
     for (const Edge& edge : tile.edges) {
-      const double distance = glm::dot(edge.inward, q) + edge.offset;
-      least = std::min(least, distance);
+      least = std::min(least, glm::dot(edge.inward, sought) + edge.offset);
       if (least <= best + 1e-12) break;
-      ratio = std::min(ratio, distance / edge.scale);
     }
     if (least > best + 1e-12) {
       best = least;
-      best_ratio = ratio;
       found = &tile;
       if (best > 1e-9) break;
     }
   }
   if (!found) return 0;  // NaN coordinates
-  const double numerator = found->tile_class + std::max(0.0, 1 - std::max(0.0, best_ratio));
+  double ratio = 1e300;
+  for (const Edge& edge : found->edges)
+    ratio = std::min(ratio, (glm::dot(edge.inward, q) + edge.offset) / edge.scale);
+  const double numerator = found->tile_class + std::max(0.0, 1 - std::max(0.0, ratio));
   if (is_on_mirror(p)) [[unlikely]] return value_on_mirror(p, found->tile_class, numerator);
   return adjusted(numerator, *found);
 }
