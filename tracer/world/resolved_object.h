@@ -20,8 +20,15 @@ struct MovedTexture {
   bool stays = false;  // on the surface, wherever the object goes
 
   explicit operator bool() const { return texture != nullptr; }
+  // Copies of copies may have been moved thousands of times: what comes after so many is one move.
+  static constexpr size_t kMostMoves = 32;
   void move(const Transform& by) {
-    if (texture && !stays) moves.push_back(by);
+    if (!texture || stays) return;
+    if (moves.size() < kMostMoves) {
+      moves.push_back(by);
+    } else {
+      moves.back() = moves.back().then(by);
+    }
   }
 };
 

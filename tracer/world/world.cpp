@@ -448,15 +448,14 @@ bool World::closest_hit_of_projected(int light, const Vec3& origin, const Vec3& 
 // `moved_from`, `moved_to`: a shared object's first WorldObject, and that of the copy asked.
 int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t moved_from,
                             int64_t moved_to, int* interiors, int capacity) const {
-  // Few objects have the point in their boxes: more than these are left out.
-  constexpr size_t kMost = 256;
-  uint32_t around[kMost];
-  size_t around_count = 0;
+  // Grows to what the scene needs and stays; copies put theirs behind those of what holds them.
+  thread_local std::vector<uint32_t> around;
+  const size_t first = around.size();
   const auto ask = [&](uint32_t object) {
     const TopLevelObject& top = set.objects[object];
-    if (around_count == kMost || !top.box.contains(point)) return;
+    if (!top.box.contains(point)) return;
     if (top.instance >= 0 || data.geometry.inside_unclipped(top.node, point)) {
-      around[around_count++] = object;
+      around.push_back(object);
     }
   };
   for (const SearchItem& item : set.all.infinite) ask(item.object);
@@ -464,10 +463,11 @@ int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t mov
     ask(set.all.finite[position].object);
     return false;
   });
-  if (around_count > 1) set.put_in_order_of_hierarchy({around, around_count});
+  const size_t last = around.size();
+  if (last - first > 1) set.put_in_order_of_hierarchy(std::span(around).subspan(first));
 
   int count = 0;
-  for (size_t i = 0; i < around_count && count < capacity; ++i) {
+  for (size_t i = first; i < last && count < capacity; ++i) {
     const TopLevelObject& top = set.objects[around[i]];
     if (top.instance >= 0) {
       const Instance& copy = data.instances[top.instance];
@@ -479,6 +479,7 @@ int World::Impl::containing(const ObjectSet& set, const Vec3& point, int64_t mov
       interiors[count++] = data.objects[object - moved_from + moved_to].interior;
     }
   }
+  around.resize(first);
   return count;
 }
 
