@@ -100,11 +100,12 @@ std::string state_identity(const Options& options, const FrameSettings& frame) {
   char text[512];
   std::snprintf(text, sizeof text,
                 "%dx%d window %d %d %d %d quality %d integrator %d antialiasing %d %d %.9g %d %.9g "
-                "%.9g block %d alpha %d clock %.9g frame %d scene %lld %lld.%09ld",
+                "%.9g block %d alpha %d bits %d clock %.9g frame %d scene %lld %lld.%09ld",
                 r.width, r.height, r.window.left, r.window.top, r.window.right, r.window.bottom,
                 r.quality, static_cast<int>(r.integrator), static_cast<int>(r.supersampling),
                 r.grid_samples, r.antialias_threshold, r.antialias_depth, r.jitter_amount,
-                r.antialias_gamma, r.block_size, r.output_alpha ? 1 : 0, frame.clock, frame.number,
+                r.antialias_gamma, r.block_size, r.output_alpha ? 1 : 0, significant_bits(options),
+                frame.clock, frame.number,
                 static_cast<long long>(scene.st_size),
                 static_cast<long long>(scene.st_mtim.tv_sec), scene.st_mtim.tv_nsec);
   return text;
@@ -116,7 +117,7 @@ struct PreparedView {
                const Options& options)
       : PreparedView(from, std::move(objects), node, options,
                      {options.render.quality, options.output_alpha,
-                      significant_bits(picture_output(options, from))}) {}
+                      significant_bits(options)}) {}
 
   ShadingScene scene;
   Camera camera;

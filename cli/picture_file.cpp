@@ -37,6 +37,13 @@ bool has_free_bits(PictureFileType type) {
   return type == PictureFileType::png || type == PictureFileType::ppm;
 }
 
+int bits_per_channel(const Options& options, PictureFileType type) {
+  // POV-Ray's grey PNG always has 16 bits.
+  if (options.greyscale && type == PictureFileType::png) return 16;
+  if (has_free_bits(type)) return options.bits;
+  return type == PictureFileType::tiff && options.bits > 8 ? 16 : 8;
+}
+
 }  // namespace
 
 PictureOutput picture_output(const Options& options, const Scene& scene) {
@@ -61,15 +68,9 @@ PictureOutput picture_output(const Options& options, const Scene& scene) {
       }
       break;
   }
-  if (has_free_bits(output.type)) {
-    format.bits = options.bits;
-  } else if (output.type == PictureFileType::tiff) {
-    format.bits = options.bits > 8 ? 16 : 8;
-  }
+  format.bits = bits_per_channel(options, output.type);
   format.alpha = options.output_alpha && has_alpha(output.type);
   format.greyscale = options.greyscale;
-  // POV-Ray's grey PNG always has 16 bits.
-  if (options.greyscale && output.type == PictureFileType::png) format.bits = 16;
   // POV-Ray's grey PPM holds the numbers of the working space.
   if (options.greyscale && output.type == PictureFileType::ppm) {
     format.working = format.file = TransferCurve::neutral();
@@ -78,10 +79,10 @@ PictureOutput picture_output(const Options& options, const Scene& scene) {
   return output;
 }
 
-int significant_bits(const PictureOutput& output) {
-  const bool is_floating =
-      output.type == PictureFileType::exr || output.type == PictureFileType::hdr;
-  return is_floating ? 16 : output.format.bits;
+int significant_bits(const Options& options) {
+  const PictureFileType type = file_type(options.file_type);
+  const bool is_floating = type == PictureFileType::exr || type == PictureFileType::hdr;
+  return is_floating ? 16 : bits_per_channel(options, type);
 }
 
 void write_picture(const std::string& path, const Picture& picture, const Options& options,

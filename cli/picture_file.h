@@ -13,7 +13,7 @@ namespace durer {
 PictureOutput picture_output(const Options& options, const Scene& scene);
 
 // Per channel. What files of floating point numbers tell apart in the dark counts as 16 bits.
-int significant_bits(const PictureOutput& output);
+int significant_bits(const Options& options);
 
 // Throws std::runtime_error with the system's reason.
 void write_picture(const std::string& path, const Picture& picture, const Options& options,
