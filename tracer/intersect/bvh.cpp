@@ -53,7 +53,7 @@ void Bvh::build(size_t count, const std::function<Bounds(uint32_t)>& box_of) {
       rounded[i].high[axis] = round_up(box.max[axis] - center_[axis] + margin);
     }
   }
-  nodes_.reserve(count / 3 + 1);
+  nodes_.reserve(count / 4 + 1);
   build_bvh_nodes(rounded, nodes_, items_);
   rounded = {};
   // A copy to save little would need more than it saves.

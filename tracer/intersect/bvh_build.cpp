@@ -127,30 +127,43 @@ class Builder {
 
   // Up to eight ranges of what becomes one node; returns how many.
   int divide(const Range& whole, Range (&range)[8]) {
-    int count = 0;
-    if (whole.count() <= 8) {
-      // A box to each item saves tests of items, and costs nothing.
-      for (uint32_t i = whole.begin; i < whole.end; ++i) range[count++] = range_of(i, i + 1);
-      return count;
-    }
-    // Open the widest range until eight are found. (Of more than eight items, one has two or more.)
-    float area[8];
+    int count = 1;
+    // Ranges of more than eight become several nodes in any case: open the widest until eight are found.
     range[0] = whole;
-    area[0] = whole.box.half_area();
-    const auto widest = [&] {
-      int best = -1;
+    for (; count < 8; ++count) {
+      int widest = -1;
       for (int i = 0; i < count; ++i) {
-        if (range[i].count() > 1 && (best < 0 || area[i] > area[best])) best = i;
+        if (range[i].count() > 8 &&
+            (widest < 0 || range[i].box.half_area() > range[widest].box.half_area())) {
+          widest = i;
+        }
       }
-      return best;
-    };
-    for (count = 1; count < 8; ++count) {
-      const int opened = widest();
-      split(range[opened], range[count]);
-      area[opened] = range[opened].box.half_area();
-      area[count] = range[count].box.half_area();
+      if (widest < 0) break;
+      split(range[widest], range[count]);
     }
+    spread_items(range, count);
     return count;
+  }
+
+  // Every range of which all items find room beside the others saves a node: the widest to an item first.
+  void spread_items(Range (&range)[8], int& count) const {
+    for (;;) {
+      int best = -1;
+      float best_gain = 0;
+      for (int i = 0; i < count; ++i) {
+        const uint32_t more = range[i].count() - 1;
+        if (more == 0 || more > static_cast<uint32_t>(8 - count)) continue;
+        const float gain = range[i].box.half_area() / static_cast<float>(more);
+        if (best < 0 || gain > best_gain) {
+          best = i;
+          best_gain = gain;
+        }
+      }
+      if (best < 0) return;
+      const uint32_t begin = range[best].begin, end = range[best].end;
+      range[best] = range_of(begin, begin + 1);
+      for (uint32_t i = begin + 1; i < end; ++i) range[count++] = range_of(i, i + 1);
+    }
   }
 
   // Parts the items where the cost is least; by number where all centres coincide. The first part
