@@ -13,6 +13,13 @@ double radians(double degrees) {
   return degrees * (M_PI / 180);
 }
 
+// Divided by the length, as POV-Ray does here and nowhere else: last digits show where a plane lies in
+// the jump of its pattern (scenes/gallery/cameras/last_digits_*.pov; `spherical` divides nothing).
+Vec3 divided_by_length(const Vec3& v) {
+  const double squared = dot(v, v);
+  return squared > 0 ? v / std::sqrt(squared) : v;
+}
+
 // The angle of (x, y) on a circle of radius r, in [-pi/2, 3pi/2].
 double polar_angle(double x, double y, double r) {
   if (r == 0) return 0;
@@ -27,9 +34,9 @@ Camera::Camera(const CameraNode& node, int width, int height, const TextureSetti
       width_(width),
       height_(height),
       is_plain_(node.kind == CameraKind::perspective && !node.normal),
-      direction_(unit_or_zero(node.direction)),
-      right_(unit_or_zero(node.right)),
-      up_(unit_or_zero(node.up)),
+      direction_(divided_by_length(node.direction)),
+      right_(divided_by_length(node.right)),
+      up_(divided_by_length(node.up)),
       right_length_(length(node.right)),
       up_length_(length(node.up)),
       angle_(radians(node.angle)) {
@@ -140,7 +147,8 @@ bool Camera::view_of(double x, double y, int ray_of_pixel, View& view) const {
     case CameraKind::fisheye:
       return view_of_fisheye(a, b, view);
     case CameraKind::ultra_wide_angle: {
-      const double alpha = a * angle_, beta = b * (angle_ * up_length_ / right_length_);
+      const double alpha = a * angle_;
+      const double beta = b * radians(node_.angle * (up_length_ / right_length_));
       view.direction = std::sin(alpha) * right_ + std::sin(beta) * up_ +
                        std::cos(alpha) * std::cos(beta) * direction_;
       view.place = {alpha, beta};
@@ -188,8 +196,8 @@ bool Camera::view_of(double x, double y, int ray_of_pixel, View& view) const {
     case CameraKind::spherical: {
       const double longitude = a * radians(node_.spherical_angles.x);
       const double latitude = b * radians(node_.spherical_angles.y);
-      const Transform tilt = Transform::axis_rotation(right_, -latitude);
-      const Transform turn = Transform::axis_rotation(up_, longitude);
+      const Transform tilt = Transform::axis_rotation(unit_or_zero(node_.right), -latitude);
+      const Transform turn = Transform::axis_rotation(unit_or_zero(node_.up), longitude);
       view.direction = turn.direction(tilt.direction(node_.direction));
       view.place = {longitude, latitude};
       break;
