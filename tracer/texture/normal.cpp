@@ -231,9 +231,9 @@ class MappedNormal : public CompiledNormal {
     Vec3 bent = entries_[place.lower].item->perturb(q, context, n);
     if (place.lower != place.upper) {
       const Vec3 upper = entries_[place.upper].item->perturb(q, context, n);
-      bent += place.share * (upper - bent);
+      bent = (1 - place.share) * bent + place.share * upper;
     }
-    return normalize_or_zero(frame_.outwards(bent));
+    return unit_or_zero(frame_.outwards(bent));
   }
 
  private:
@@ -261,7 +261,7 @@ class AverageNormal : public CompiledNormal {
       sum += weight * entry.item->perturb(q, context, n);
       weights += weight;
     }
-    return normalize_or_zero(frame_.outwards(sum / weights));
+    return frame_.outwards(sum * (1 / weights));
   }
 
  private:

@@ -19,19 +19,22 @@ class NormalFrame {
   }
 
   bool does_nothing() const { return chain_.empty(); }
+  // Of length 1 before and after, even where nothing moves it: the last digits are POV-Ray's (measured
+  // by mirrors of a sky that jumps at length 1).
   Vec3 inwards(Vec3 n) const {
-    if (chain_.empty()) return n;
+    n = of_length_1(n);
     for (const Transform& t : chain_) n = t.inverse_normal(n);
-    return keep_length_ ? n : normalize_or_zero(n);
+    return of_length_1(n);
   }
   Vec3 outwards(Vec3 n) const {
-    if (!keep_length_) n = normalize_or_zero(n);
-    if (chain_.empty()) return n;
+    n = of_length_1(n);
     for (auto it = chain_.rbegin(); it != chain_.rend(); ++it) n = it->normal(n);
-    return keep_length_ ? n : normalize_or_zero(n);
+    return of_length_1(n);
   }
 
  private:
+  Vec3 of_length_1(const Vec3& n) const { return keep_length_ ? n : unit_or_zero(n); }
+
   std::vector<Transform> chain_;  // as applied to a point: last written first
   bool keep_length_ = false;
 };
