@@ -1,13 +1,16 @@
-"""The scenes that are compared: Debian's povray-examples, our own, or single files."""
+"""The scenes that are compared: Debian's povray-examples, our own, the standard includes' textures, or single files."""
 import csv
 import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 
+import include_scenes
+
 REFERENCE = Path(__file__).resolve().parent
 REPOSITORY = REFERENCE.parent
 EXAMPLES = Path("/usr/share/doc/povray/examples")
 OWN_FOLDERS = ("gallery", "teaching", "bench")
+INCLUDE_SCENES = REPOSITORY / "build/includes"
 
 
 @dataclass(frozen=True)
@@ -50,13 +53,14 @@ class Survey:
 
 
 def find_scenes(words, name_filter=""):
-    """Scenes of suites ("examples", "examples/textures", "ours", "ours/gallery") and .pov files."""
+    """Scenes of suites ("examples", "examples/textures", "ours", "ours/gallery", "includes", "includes/stars.inc") and
+    .pov files."""
     scenes = []
     for word in words:
         found = scenes_of(word)
         if not found and word != "ours":
             raise SystemExit(f"reference: no scenes in {word!r}; suites are: examples, examples/FOLDER, "
-                             "ours, ours/gallery, ours/teaching, ours/bench, or a .pov file")
+                             "ours, ours/gallery, ours/teaching, ours/bench, includes, includes/FILE.inc, or a .pov file")
         scenes += found
     unique = {scene.label: scene for scene in scenes}
     return [scene for scene in unique.values() if name_filter in scene.label]
@@ -70,6 +74,9 @@ def scenes_of(word):
         own = REPOSITORY / "scenes"
         folders = [folder] if folder else [name for name in OWN_FOLDERS if (own / name).is_dir()]
         return [scene for name in folders for scene in below("ours", own, name)]
+    if suite == "includes" and not word.endswith(".pov"):
+        include_scenes.write(INCLUDE_SCENES)
+        return below("includes", INCLUDE_SCENES, folder)
     path = Path(word).resolve()
     if path.is_file():
         return [Scene("file", path.stem, path)]
