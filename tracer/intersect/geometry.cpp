@@ -15,14 +15,12 @@ constexpr uint32_t kTreeThreshold = 24;
 // The next double up: lets a later child take over at equal depth.
 double just_beyond(double t) { return std::nextafter(t, HUGE_VAL); }
 
-// Narrows an interval to a ray's way through a box; false: nothing is left.
-bool clip_to(const Bounds& box, const BvhRay& ray, Interval& interval) {
+// Whether a ray is in a box somewhere on an interval. The interval stays as it is: rounding puts some of the
+// hits of swept shapes outside of their boxes, and povray takes those of rays that meet the box.
+bool meets(const Bounds& box, const BvhRay& ray, const Interval& interval) {
   double low = interval.min, high = interval.max;
   ray.clip(box, low, high);
-  if (!(low <= high * (1 + 1e-12))) return false;
-  interval.min = low * (1 - 1e-12);
-  interval.max = high * (1 + 1e-12);
-  return true;
+  return low <= high * (1 + 1e-12);
 }
 
 // Members of an intersection that a ray crosses once narrow the way on which the others count: by
@@ -197,8 +195,7 @@ bool Geometry::member_hits(const GeometryNode& node, uint32_t child, const Geome
   const GeometryNode& member = nodes[child];
   if (!takes_part(node, member, ray.kind)) return true;
   const bool narrows = member.narrows && node.kind == NodeKind::intersection;
-  Interval reach = interval;
-  if (member.is_boxed && !clip_to(member.reach, ray, reach)) return !narrows;
+  if (member.is_boxed && !meets(member.reach, ray, interval)) return !narrows;
   if (member.bounds.count && !passes_bounds(member, ray, stack)) return true;
   const size_t base = stack.size();
   all_hits(child, ray, interval, stack);
@@ -237,7 +234,7 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& 
     return;
   }
   Interval interval = wanted;
-  if (node.is_boxed && !clip_to(node.reach, ray, interval)) return;
+  if (node.is_boxed && !meets(node.reach, ray, interval)) return;
   const size_t start = stack.size();
   if (node.is_flat) {
     if (sweep_all_of_intersection(node, ray, wanted.max, stack) != Sweep::doubtful) return;
@@ -246,9 +243,8 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& 
   if (node.kind == NodeKind::union_ && node.clips.count == 0) {
     for_each_child_met(node, ray, interval, [&](uint32_t child) {
       const GeometryNode& member = nodes[child];
-      Interval reach = interval;
       if (!takes_part(node, member, ray.kind)) return true;
-      if (member.is_boxed && !clip_to(member.reach, ray, reach)) return true;
+      if (member.is_boxed && !meets(member.reach, ray, interval)) return true;
       if (member.bounds.count && !passes_bounds(member, ray, stack)) return true;
       all_hits(child, ray, interval, stack);
       return true;
@@ -285,9 +281,9 @@ bool Geometry::closest_of_union(const GeometryNode& node, const GeometryRay& ray
     const double limit = position >= 0 && i > position ? just_beyond(best) : best;
     // Hierarchies have looked at the boxes; intersections and merges look at their own.
     if (node.tree < 0 && member.is_boxed &&
-        (member.kind == NodeKind::shape || member.kind == NodeKind::union_ || member.is_flat)) {
-      Interval reach{kLeastHitDepth, limit};
-      if (!clip_to(member.reach, ray, reach)) return;
+        (member.kind == NodeKind::shape || member.kind == NodeKind::union_ || member.is_flat) &&
+        !meets(member.reach, ray, {kLeastHitDepth, limit})) {
+      return;
     }
     ShapeHit candidate;
     if (!closest(child, ray, limit, stack, candidate)) return;
@@ -316,13 +312,13 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
   uint32_t member[kMost];
   Interval interval{kLeastHitDepth, t_max};
   // Of one intersection each solid's own box says as much.
-  if (node.is_boxed && !node.is_flat && !clip_to(node.reach, ray, interval)) return false;
+  if (node.is_boxed && !node.is_flat && !meets(node.reach, ray, interval)) return false;
   if (node.swept.count) {
     const Sweep sweep = node.is_flat ? sweep_convex_intersection(node, ray, t_max, stack, hit)
                                      : sweep_convex_solids(node, ray, t_max, stack, hit);
     if (sweep != Sweep::doubtful) return sweep == Sweep::met;
   }
-  if (node.is_boxed && node.is_flat && !clip_to(node.reach, ray, interval)) return false;
+  if (node.is_boxed && node.is_flat && !meets(node.reach, ray, interval)) return false;
   const size_t base = stack.size();
   bool missed = false, overflowed = false;
   for_each_child_met(node, ray, interval, [&](uint32_t child) {
