@@ -94,6 +94,10 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
   return sum;
 }
 
+bool stops_light(const ShadingScene& scene, const SurfacePoint& surface, const Vec3& direction) {
+  return is_dark(surface_transmittance(scene, surface, direction, {}, 0));
+}
+
 void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ray,
                                const LightDirection& to_light, RGB& color,
                                RayCounts& counts) const {

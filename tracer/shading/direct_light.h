@@ -58,6 +58,9 @@ RGB surface_transmittance(const ShadingScene& scene, const SurfacePoint& surface
                           const Vec3& direction, const InteriorList& interiors,
                           double segment_length);
 
+// Whether that share is none.
+bool stops_light(const ShadingScene& scene, const SurfacePoint& surface, const Vec3& direction);
+
 // The fade of an interior over a segment (11.5).
 RGB interior_fade(const InteriorNode& interior, double length);
 

@@ -1,6 +1,7 @@
 #include "tracer/shading/shading_scene.h"
 
 #include "tracer/scene/not_supported.h"
+#include "tracer/shading/direct_light.h"
 #include "tracer/world/pattern_services.h"
 
 namespace durer {
@@ -85,6 +86,9 @@ ShadingScene::ShadingScene(const Scene& from, std::vector<ObjectPtr> objects,
   for (const WorldLight& light : world->lights()) lights.emplace_back(*light.node);
   const int groups = static_cast<int>(world->light_groups().size());
   for (int group = -1; group < groups; ++group) lights_by_group.push_back(lights_on(*world, group));
+  world->choose_remembered_casters([&](const SurfacePoint& surface, const Vec3& direction) {
+    return stops_light(*this, surface, direction);
+  });
 }
 
 }  // namespace durer

@@ -39,14 +39,17 @@ class Finder {
     return std::move(found_);
   }
 
-  // Whether an opaque member lies open, so that it is what a shadow ray from the ground or from the
-  // solid itself meets first. Looked for from all directions, through points that fill its box.
-  bool shows_opaque_member(const RememberedCaster& caster) {
+  // Whether something that stops light lies open, so that it is what a shadow ray from the ground or
+  // from the solid itself meets first. Looked for from all directions, through points that fill its box.
+  bool shows_what_stops_light(const RememberedCaster& caster, const StopsLight& stops_light) {
     const GeometryNode& node = data_.geometry.nodes[caster.node];
     if (!node.surface_is_bounded || !node.reach.is_bounded()) {
       return has_opaque_member(caster.node);
     }
-    const double diagonal = length(node.reach.size());
+    const Bounds box = caster.instance < 0
+                           ? node.reach
+                           : data_.instances[caster.instance].transform.bounds(node.reach);
+    const double diagonal = length(box.size());
     constexpr int kRays = 256;
     for (int i = 1; i <= kRays; ++i) {
       // Lattices of low discrepancy in three and in two dimensions.
@@ -55,11 +58,12 @@ class Finder {
       const double z = 2 * aim.x - 1, radius = std::sqrt(1 - z * z),
                    angle = 2 * std::numbers::pi * aim.y;
       const Vec3 direction(radius * std::cos(angle), radius * std::sin(angle), z);
-      const Vec3 point = node.reach.min + place * node.reach.size();
+      const Vec3 point = box.min + place * box.size();
       const GeometryRay ray(point - diagonal * direction, direction, kShadowRay);
       ShapeHit hit;
-      if (data_.geometry.closest(caster.node, ray, 2 * diagonal, stack_, hit) &&
-          is_opaque_node(data_, hit.node)) {
+      if (data_.geometry.closest(caster.node, own_ray(data_, caster, ray), 2 * diagonal, stack_,
+                                 hit) &&
+          stops_light(caster, ray, hit)) {
         return true;
       }
     }
@@ -104,12 +108,14 @@ class Finder {
 
 }  // namespace
 
-std::vector<RememberedCaster> find_remembered_casters(const WorldData& data) {
+std::vector<RememberedCaster> find_remembered_casters(const WorldData& data,
+                                                      const StopsLight& stops_light) {
   Finder finder(data);
   std::vector<RememberedCaster> casters = finder.candidates();
   if (casters.size() > kMostRemembered) return {};
-  std::erase_if(
-      casters, [&](const RememberedCaster& caster) { return !finder.shows_opaque_member(caster); });
+  std::erase_if(casters, [&](const RememberedCaster& caster) {
+    return !finder.shows_what_stops_light(caster, stops_light);
+  });
   return casters;
 }
 

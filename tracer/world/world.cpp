@@ -285,7 +285,6 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
   builder.finish();
   for (const auto& group : data.groups) sort_shadow_casters(data, group->set);
   sort_shadow_casters(data, data.scene);
-  data.remembered = find_remembered_casters(data);
   return world;
 }
 
@@ -417,6 +416,18 @@ bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, d
 
 bool World::has_remembered_casters() const {
   return !impl_->data.remembered.empty();
+}
+
+void World::choose_remembered_casters(
+    const std::function<bool(const SurfacePoint& surface, const Vec3& direction)>& stops_light) {
+  WorldData& data = impl_->data;
+  data.remembered = find_remembered_casters(
+      data, [&](const RememberedCaster& caster, const GeometryRay& ray, const ShapeHit& hit) {
+        SurfacePoint surface;
+        surface_point(ray.origin, ray.direction,
+                      as_hit(hit, static_cast<uint32_t>(caster.instance + 1)), surface);
+        return stops_light(surface, ray.direction);
+      });
 }
 
 bool World::closest_hit_of_remembered(const Vec3& origin, const Vec3& unit_direction, double max_t,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -175,6 +176,9 @@ class World {
   // Solids with clear parts that POV-Ray takes for what stopped the light last (decision 0069), and
   // the nearest hit, 1e-4 <= t < max_t, with any of them.
   bool has_remembered_casters() const;
+  // Chooses them, once: `stops_light` says whether a surface lets no light through in a direction.
+  void choose_remembered_casters(
+      const std::function<bool(const SurfacePoint& surface, const Vec3& direction)>& stops_light);
   bool closest_hit_of_remembered(const Vec3& origin, const Vec3& unit_direction, double max_t,
                                  Hit& hit) const;
   // The nearest hit with one object of projected_objects().
