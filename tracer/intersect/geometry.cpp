@@ -161,6 +161,13 @@ void Geometry::shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stac
   stack.shrink(kept);
 }
 
+Vec3 Geometry::placed_hit(const GeometryNode& node, const GeometryRay& ray,
+                          const ShapeHit& hit) const {
+  if (node.transform < 0) return node.shape->place(shape_ray(ray, nullptr), hit);
+  const Transform& transform = transforms[node.transform];
+  return transform.point(node.shape->place(shape_ray(ray, &transform), hit));
+}
+
 // visit(child node) for the children that the ray may meet within the interval, in order, until one
 // returns false. Visits may narrow the interval.
 template <typename Visit>
@@ -397,6 +404,7 @@ void Geometry::finish_node(uint32_t index) {
   enclose(index);
   node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
                  node.clips.count == 0 && node.bounds.count == 0;
+  node.places_hits = node.kind == NodeKind::shape && node.shape->places_hits();
   node.is_half_space = node.kind == NodeKind::shape && node.shape->is_half_space();
   node.looks_along_world =
       node.kind == NodeKind::shape && node.transform >= 0 && node.shape->looks_along_world();

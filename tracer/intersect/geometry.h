@@ -36,6 +36,7 @@ struct GeometryNode {
   bool holds_outside = false;   // its shape's inside test is that of what is outside of a convex solid
   bool looks_along_world = false;  // a moved shape whose inside test keeps a direction of the world
   bool is_flat = false;         // `swept` stands for one intersection of all
+  bool places_hits = false;     // its shape does
   bool is_boxed = false;        // its box is worth a test before its surface is looked for
   uint8_t shape_kind = 0;       // of a shape: ShapeNode::index()
   bool has_object = true;       // false: a light without looks_like takes no part in inside tests
@@ -114,6 +115,11 @@ class Geometry {
   // All hits within the interval, perhaps also others of a lone shape, in the order of pushing.
   void all_hits(uint32_t node, const GeometryRay& ray, const Interval& wanted,
                 HitStack& stack) const;
+  // The point of a hit of a shape's node.
+  Vec3 hit_point(const GeometryNode& node, const GeometryRay& ray, const ShapeHit& hit) const {
+    if (node.places_hits) [[unlikely]] return placed_hit(node, ray, hit);
+    return ray.origin + hit.t * ray.direction;
+  }
   // bounded_by: each bounding object is hit or contains the origin.
   bool passes_bounds(const GeometryNode& node, const GeometryRay& ray, HitStack& stack) const;
   // With the node's clips.
@@ -124,6 +130,7 @@ class Geometry {
   void finish_node(uint32_t node);
 
  private:
+  Vec3 placed_hit(const GeometryNode& node, const GeometryRay& ray, const ShapeHit& hit) const;
   bool inside_clips(const GeometryNode& node, const Vec3& point) const;
   void shape_hits(uint32_t index, const GeometryRay& ray, HitStack& stack) const;
   bool closest_of_union(const GeometryNode& node, const GeometryRay& ray, double t_max,

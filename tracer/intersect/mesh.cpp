@@ -116,25 +116,19 @@ class Mesh final : public Shape {
 
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     const MeshPlane& of = plane(hit.part);
-    if (hit.part < mesh_.face_normals.size()) {
-      const auto& n = mesh_.face_normals[hit.part];
-      if (n[0] >= 0 && n[1] >= 0 && n[2] >= 0) {
-        const glm::vec3 &n1 = mesh_.normals[n[0]], &n2 = mesh_.normals[n[1]],
-                        &n3 = mesh_.normals[n[2]];
-        if (!same(n1, n2) || !same(n1, n3)) {
-          const Corners c = corners(hit.part);
-          const int first = of.is_exchanged, second = 1 - first;
-          const Vec3 at_first(first ? n2 : n1), at_second(first ? n1 : n2), at_third(n3);
-          double u, v;
-          smooth_weights(c.p[first], c.p[second], c.p[2], Vec3(of.altitude), p, u, v);
-          if (u < 1e-10) return at_first;
-          return at_first + u * (at_second - at_first + v * (at_third - at_second));
-        }
-      }
-    }
-    return Vec3(of.normal);
+    if (!is_smooth(hit.part)) return Vec3(of.normal);
+    const auto& n = mesh_.face_normals[hit.part];
+    const Corners c = corners(hit.part);
+    const int first = of.is_exchanged, second = 1 - first;
+    const Vec3 at_first(mesh_.normals[n[first]]), at_second(mesh_.normals[n[second]]),
+        at_third(mesh_.normals[n[2]]);
+    double u, v;
+    smooth_weights(c.p[first], c.p[second], c.p[2], Vec3(of.altitude), p, u, v);
+    if (u < 1e-10) return at_first;
+    return at_first + u * (at_second - at_first + v * (at_third - at_second));
   }
   bool has_unit_normals() const override { return mesh_.face_normals.empty(); }
+  bool has_unit_normal(const ShapeHit& hit) const override { return !is_smooth(hit.part); }
 
   Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit& hit) const override {
     if (hit.part >= mesh_.face_uv.size()) {
@@ -180,6 +174,14 @@ class Mesh final : public Shape {
   bool needs_object_texture() const override { return !all_textured_; }
 
  private:
+  // Three normals that are not all the same.
+  bool is_smooth(uint32_t face) const {
+    if (face >= mesh_.face_normals.size()) return false;
+    const auto& n = mesh_.face_normals[face];
+    return n[0] >= 0 && n[1] >= 0 && n[2] >= 0 &&
+           !(same(mesh_.normals[n[0]], mesh_.normals[n[1]]) &&
+             same(mesh_.normals[n[0]], mesh_.normals[n[2]]));
+  }
   // Whether some edge belongs to an odd number of faces. In the sum of all edges' hashes those that
   // two faces share cancel out; places count, not numbers, since vertices may be listed twice.
   bool leaves_edges_open() const {

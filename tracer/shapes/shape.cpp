@@ -25,6 +25,9 @@ bool Shape::closest(const ShapeRay& ray, HitStack& scratch, ShapeHit& hit) const
 }
 
 std::shared_ptr<const Shape> Shape::transformed(const Transform&) const { return nullptr; }
+Vec3 Shape::place(const ShapeRay& ray, const ShapeHit& hit) const {
+  return ray.origin + hit.t * ray.direction;
+}
 std::shared_ptr<const Shape> Shape::inverted() const { return nullptr; }
 
 int Shape::texture_shares(const Vec3&, const ShapeHit&, ShapeTexture* shares, int) const {

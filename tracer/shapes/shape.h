@@ -107,10 +107,15 @@ class Shape {
   virtual bool is_solid_within_bounds() const { return true; }
   // The same test of the inverted solid; differs from the negation where borders are in neither.
   virtual bool inside_inverted(const Vec3& point) const { return !inside(point); }
+  // Whether povray finds the point of a hit in the shape's own space, which last digits show: then place()
+  // gives it there.
+  virtual bool places_hits() const { return false; }
+  virtual Vec3 place(const ShapeRay& ray, const ShapeHit& hit) const;
   // Local, of any length but zero.
   virtual Vec3 normal(const Vec3& point, const ShapeHit& hit) const = 0;
   // They are of length 1 but for rounding; povray leaves them so where there is no transform.
   virtual bool has_unit_normals() const { return false; }
+  virtual bool has_unit_normal(const ShapeHit&) const { return has_unit_normals(); }
   virtual Vec2 uv(const Vec3& point, const Vec3& world_point, const ShapeHit& hit) const;
 
   // Of shapes that can be swept: what hits() pushes, in its order; more than two where the part of this
@@ -123,6 +128,8 @@ class Shape {
   // The same shape moved, if it takes this transform into itself; otherwise null: then the
   // transform is kept beside the shape.
   virtual std::shared_ptr<const Shape> transformed(const Transform& transform) const;
+  // What it is with a transform beside it; null: the same.
+  virtual std::shared_ptr<const Shape> beside_transform() const { return nullptr; }
   // The same shape for `inverse`, if it takes it into itself (plane, quadric).
   virtual std::shared_ptr<const Shape> inverted() const;
 

@@ -12,7 +12,7 @@
 namespace durer {
 namespace {
 
-class Sphere final : public Shape {
+class Sphere : public Shape {
  public:
   Sphere(const Vec3& center, double radius) : center_(center), radius_(radius) {}
 
@@ -88,11 +88,12 @@ class Sphere final : public Shape {
     }
     return result;
   }
+  std::shared_ptr<const Shape> beside_transform() const override;
   bool is_exempt_from_box_test() const override { return true; }
   bool is_convex_solid() const override { return true; }
   bool is_quickly_missed() const override { return true; }
 
- private:
+ protected:
   // Both depths in normalised local space; returns how many times those in the world they are, 0 for
   // a miss.
   double depths(const ShapeRay& ray, double& near, double& far) const {
@@ -119,6 +120,27 @@ class Sphere final : public Shape {
   double radius_;
   std::shared_ptr<const Matrix> orientation_;
 };
+
+// A sphere under a transform. povray finds its hits along the moved ray made length 1, and moves them back.
+class Ellipsoid final : public Sphere {
+ public:
+  explicit Ellipsoid(const Sphere& sphere) : Sphere(sphere) {}
+
+  bool places_hits() const override { return true; }
+  Vec3 place(const ShapeRay& ray, const ShapeHit& hit) const override {
+    double near, far;
+    const double stretch = depths(ray, near, far);
+    if (stretch == 0) return Shape::place(ray, hit);
+    const double depth = hit.t == near / stretch ? near : far;
+    return ray.origin + depth * (ray.direction * (1 / stretch));
+  }
+  Vec3 normal(const Vec3& p, const ShapeHit&) const override { return p - center_; }
+  bool has_unit_normals() const override { return false; }
+};
+
+std::shared_ptr<const Shape> Sphere::beside_transform() const {
+  return std::make_shared<Ellipsoid>(*this);
+}
 
 }  // namespace
 

@@ -55,15 +55,15 @@ bool ObjectQuery::trace(const Vec3& origin, const Vec3& unit_direction, Vec3& po
   if (!geometry.passes_bounds(geometry.nodes[impl_->node], ray, stack)) return false;
   ShapeHit hit;
   if (!geometry.closest(impl_->node, ray, kHugeDepth, stack, hit)) return false;
-  point = origin + hit.t * unit_direction;
   const GeometryNode& node = geometry.nodes[hit.node];
+  point = geometry.hit_point(node, ray, hit);
   if (node.transform >= 0) {
     const Transform& transform = geometry.transforms[node.transform];
     normal = transform.normal(node.shape->normal(transform.inverse_point(point), hit));
   } else {
     normal = node.shape->normal(point, hit);
   }
-  const bool has_unit_length = node.transform < 0 && node.shape->has_unit_normals();
+  const bool has_unit_length = node.transform < 0 && node.shape->has_unit_normal(hit);
   if (!has_unit_length) normal = normal * (1 / length(normal));
   if (node.inverted) normal = -normal;
   return true;

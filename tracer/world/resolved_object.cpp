@@ -179,6 +179,7 @@ void ResolvedObject::move(const Transform& by) {
         if (taken) {
           shape = std::move(taken);
         } else {
+          if (auto beside = has_transform ? nullptr : shape->beside_transform()) shape = beside;
           transform = has_transform ? transform->then(by) : by;
           has_transform = true;
         }

@@ -239,6 +239,13 @@ Hit as_hit(const ShapeHit& from, uint32_t instance) {
   return hit;
 }
 
+Vec3 placed_hit(const WorldData& data, const GeometryNode& node, const Instance* instance,
+                const Vec3& origin, const Vec3& unit_direction, const ShapeHit& hit) {
+  const GeometryRay ray(origin, unit_direction, 0);
+  if (!instance) return data.geometry.hit_point(node, ray, hit);
+  return instance->transform.point(data.geometry.hit_point(node, local_ray(*instance, ray), hit));
+}
+
 bool found(const ClosestSearch& search, Hit& hit) {
   if (search.top < 0) return false;
   hit = as_hit(search.hit(), search.instance);
@@ -323,10 +330,11 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
   const GeometryNode& node = data.geometry.nodes[hit.item];
   const NodeAppearance& appearance = data.appearance[hit.item];
   const ShapeHit shape_hit{hit.t, hit.item, hit.part, hit.barycentric_u, hit.barycentric_v};
-  Vec3 local = origin + hit.t * unit_direction;
-  out.point = local;
   out.object = &data.objects[node.object];
   const Instance* instance = hit.instance ? &data.instances[hit.instance - 1] : nullptr;
+  Vec3 local = origin + hit.t * unit_direction;
+  if (node.places_hits) [[unlikely]] local = placed_hit(data, node, instance, origin, unit_direction, shape_hit);
+  out.point = local;
   if (instance) {
     const SharedGroup& group = *data.groups[instance->group];
     out.object = &data.objects[instance->first_object + node.object - group.first_object];
@@ -342,7 +350,9 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
     out.normal = node.shape->normal(local, shape_hit);
   }
   if (instance) out.normal = instance->transform.normal(out.normal);
-  if (instance || !appearance.has_unit_normals) out.normal = unit_or_zero(out.normal);
+  const bool stays = !instance && node.transform < 0 &&
+                     (appearance.has_unit_normals || node.shape->has_unit_normal(shape_hit));
+  if (!stays) out.normal = unit_or_zero(out.normal);
   if (node.inverted) out.normal = -out.normal;
   out.uv = appearance.needs_uv ? node.shape->uv(local, out.point, shape_hit) : Vec2(0);
 
