@@ -69,7 +69,7 @@ class Facets : public BasePattern {
 }  // namespace
 
 Vec3 facets_normal(const FacetsParameters& facets, const Vec3& q, Vec3 n) {
-  n = normalize_or_zero(n);
+  n = unit_or_zero(n);
   const double scale = facets.size < 1e-6 ? 1e6 : 1 / facets.size;
   const double depth = facets.coordinates_size;
   if (depth == 0) return nearest_feature(n * scale, facets.metric);

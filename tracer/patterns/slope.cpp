@@ -32,13 +32,13 @@ double folded(double v, double slack) {
 class Slope : public BasePattern {
  public:
   explicit Slope(const SlopeParameters& s)
-      : s_(s), direction_(normalize_or_zero(s.direction)), up_(normalize_or_zero(s.altitude)) {
+      : s_(s), direction_(unit_or_zero(s.direction)), up_(normalize_or_zero(s.altitude)) {
     const double slope_length = length(s.direction), altitude_length = length(s.altitude);
     if (s.has_altitude) weight_ = slope_length / (slope_length + altitude_length);
   }
   double base_value(const Vec3& p, const PatternContext& context) const override {
     if (!context.has_surface) return 0;
-    const Vec3 direction = s_.is_point ? normalize_or_zero(s_.direction - context.world_point)
+    const Vec3 direction = s_.is_point ? unit_or_zero(s_.direction - context.world_point)
                                        : direction_;
     const double t = std::clamp(dot(context.normal, direction), -1.0, 1.0);
     double v = (std::asin(t) * 2 / M_PI + 1) / 2;
@@ -61,7 +61,7 @@ class AngleOfIncidence : public BasePattern {
   double base_value(const Vec3&, const PatternContext& context) const override {
     if (!context.has_surface) return 0;
     const double cosine =
-        dot(normalize_or_zero(context.normal), normalize_or_zero(context.ray_direction));
+        dot(unit_or_zero(context.normal), normalize_or_zero(context.ray_direction));
     return std::acos(std::clamp(cosine, -1.0, 1.0)) / M_PI;
   }
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }

@@ -63,7 +63,7 @@ bool is_flat(const Points& p, double flatness) {
   if (flatness <= 0) return false;
   const Vec3& origin = p[0][0];
   const Vec3& across = p[0][3] == origin ? p[3][3] : p[0][3];
-  const Vec3 normal = normalize_or_zero(cross(across - origin, p[3][0] - origin));
+  const Vec3 normal = unit_or_zero(cross(across - origin, p[3][0] - origin));
   if (normal == Vec3(0)) return false;
   for (const auto& row : p)
     for (const Vec3& q : row)
@@ -107,18 +107,20 @@ class BicubicPatch final : public Shape {
     walk(0, ray.origin, ray.direction * scale, scale, out);
   }
 
-  Vec3 normal(const Vec3&, const ShapeHit& hit) const override {
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     Vec2 corners[3];
     corner_parameters(hit.part, corners);
-    const double b = static_cast<double>(hit.u), c = static_cast<double>(hit.v);
-    return normalize_or_zero((1 - b - c) * patch_normal(corners[0]) + b * patch_normal(corners[1]) +
+    double b, c;
+    Facet(pieces_[hit.part / 2], hit.part % 2).weights(p, b, c);
+    return unit_or_zero((1 - b - c) * patch_normal(corners[0]) + b * patch_normal(corners[1]) +
                              c * patch_normal(corners[2]));
   }
 
-  Vec2 uv(const Vec3&, const Vec3&, const ShapeHit& hit) const override {
+  Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit& hit) const override {
     Vec2 corners[3];
     corner_parameters(hit.part, corners);
-    const double b = static_cast<double>(hit.u), c = static_cast<double>(hit.v);
+    double b, c;
+    Facet(pieces_[hit.part / 2], hit.part % 2).weights(p, b, c);
     const Vec2 at = (1 - b - c) * corners[0] + b * corners[1] + c * corners[2];
     const Vec2 e = uv_[0] + at.y * (uv_[1] - uv_[0]), f = uv_[3] + at.y * (uv_[2] - uv_[3]);
     return e + at.x * (f - e);
@@ -181,22 +183,36 @@ class BicubicPatch final : public Shape {
   }
 
   // Triangle 0: corners 0 1 2; triangle 1: corners 0 2 3.
+  struct Facet {
+    Facet(const Piece& piece, int which)
+        : a(piece.corner[0]),
+          e1(piece.corner[which + 1] - a),
+          e2(piece.corner[which + 2] - a),
+          n(cross(e1, e2)),
+          n2(dot(n, n)) {}
+    // Of the second and the third corner at a point of its plane.
+    void weights(const Vec3& p, double& b, double& c) const {
+      const Vec3 q = p - a;
+      b = dot(cross(q, e2), n) / n2;
+      c = dot(cross(e1, q), n) / n2;
+    }
+
+    Vec3 a, e1, e2, n;
+    double n2;
+  };
+
   static void triangle(const Piece& piece, int index, int which, const Vec3& o, const Vec3& d,
                        double scale, HitStack& out) {
-    const Vec3& a = piece.corner[0];
-    const Vec3 e1 = piece.corner[which + 1] - a, e2 = piece.corner[which + 2] - a;
-    const Vec3 n = cross(e1, e2);
-    const double n2 = dot(n, n);
-    if (n2 <= kGeometryEpsilon * dot(e1, e1) * dot(e2, e2)) return;
-    const double along = dot(n, d);
+    const Facet facet(piece, which);
+    if (facet.n2 <= kGeometryEpsilon * dot(facet.e1, facet.e1) * dot(facet.e2, facet.e2)) return;
+    const double along = dot(facet.n, d);
     if (along == 0) return;
-    const double t = dot(n, a - o) / along;
+    const double t = dot(facet.n, facet.a - o) / along;
     if (!(t * scale >= kLeastDepth)) return;
-    const Vec3 q = o + t * d - a;
-    const double b = dot(cross(q, e2), n) / n2, c = dot(cross(e1, q), n) / n2;
+    double b, c;
+    facet.weights(o + t * d, b, c);
     if (b < 0 || c < 0 || b + c > 1) return;
-    out.push(t * scale, static_cast<uint32_t>(2 * index + which), static_cast<float>(b),
-             static_cast<float>(c));
+    out.push(t * scale, static_cast<uint32_t>(2 * index + which));
   }
 
   // (u, v) at the corners of a triangle.

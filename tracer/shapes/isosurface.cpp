@@ -86,7 +86,7 @@ class Isosurface final : public Shape {
     const double f = function_->value(p), step = node_.accuracy;
     n = {function_->value(p + Vec3(step, 0, 0)) - f, function_->value(p + Vec3(0, step, 0)) - f,
          function_->value(p + Vec3(0, 0, step)) - f};
-    return n == Vec3(0) ? Vec3(1, 0, 0) : normalize_or_zero(n);
+    return n == Vec3(0) ? Vec3(1, 0, 0) : unit_or_zero(n);
   }
 
  private:

@@ -62,7 +62,7 @@ class Ovus final : public Shape {
   }
 
   Vec2 uv(const Vec3& p, const Vec3&, const ShapeHit&) const override {
-    const Vec3 n = normalize_or_zero(p - Vec3(0, top_ / 2, 0));
+    const Vec3 n = unit_or_zero(p - Vec3(0, top_ / 2, 0));
     return {spherical_angle(n.x, n.z) / (2 * M_PI), 0.5 + std::asin(n.y) / M_PI};
   }
 

@@ -293,7 +293,7 @@ class BumpMapNormal : public CompiledNormal {
     if (heights.x == -1 || heights.y == -1 || heights.z == -1)
       heights = {grey(x, y), grey(left, below), grey(right, below)};
     const Vec3 b =
-        normalize_or_zero(cross(Vec3(2, amount_ * (heights.z - heights.y), 0),
+        unit_or_zero(cross(Vec3(2, amount_ * (heights.z - heights.y), 0),
                                 Vec3(1, amount_ * (heights.x - heights.y), -1)));
     const Vec3 n = frame_.inwards(normal);
     Vec3 up = n, side = cross(n, Vec3(0, 1, 0));
@@ -302,9 +302,9 @@ class BumpMapNormal : public CompiledNormal {
       side = {1, 0, 0};
       up = {0, std::abs(n.y - 1) < 1e-10 ? 1.0 : -1.0, 0};
     } else {
-      side = normalize_or_zero(side);
+      side = unit_or_zero(side);
     }
-    const Vec3 depth = normalize_or_zero(cross(side, up));
+    const Vec3 depth = unit_or_zero(cross(side, up));
     return frame_.outwards(b.x * side + b.y * up - b.z * depth);
   }
 
@@ -327,7 +327,7 @@ class UvNormal : public CompiledNormal {
  public:
   explicit UvNormal(std::shared_ptr<const CompiledNormal> inner) : inner_(std::move(inner)) {}
   Vec3 perturb(const Vec3&, const TextureContext& context, const Vec3& normal) const override {
-    return normalize_or_zero(
+    return unit_or_zero(
         inner_->perturb({context.uv.x, context.uv.y, 0}, context, normal));
   }
 
