@@ -32,9 +32,13 @@ double folded(double v, double slack) {
 class Slope : public BasePattern {
  public:
   explicit Slope(const SlopeParameters& s)
-      : s_(s), direction_(unit_or_zero(s.direction)), up_(normalize_or_zero(s.altitude)) {
+      : s_(s), direction_(unit_or_zero(s.direction)), up_(unit_or_zero(s.altitude)) {
     const double slope_length = length(s.direction), altitude_length = length(s.altitude);
-    if (s.has_altitude) weight_ = slope_length / (slope_length + altitude_length);
+    // povray keeps the sum in single precision; so a slope alone does not weigh 1, and where it is steepest
+    // it may reach 1 or not.
+    if (s.has_altitude || !s.is_point) {
+      weight_ = slope_length / static_cast<double>(static_cast<float>(slope_length + altitude_length));
+    }
   }
   double base_value(const Vec3& p, const PatternContext& context) const override {
     if (!context.has_surface) return 0;
@@ -43,7 +47,7 @@ class Slope : public BasePattern {
     const double t = std::clamp(dot(context.normal, direction), -1.0, 1.0);
     double v = (std::asin(t) * 2 / M_PI + 1) / 2;
     v = stretched(v, s_.low_slope, s_.high_slope);
-    if (!s_.has_altitude) return folded(v, 0);
+    if (!s_.has_altitude) return folded(weight_ * v, 0);
     const double height = stretched(dot(p, up_), s_.low_altitude, s_.high_altitude);
     v = weight_ * v + (1 - weight_) * height;
     return folded(v, kEpsilon);
@@ -61,7 +65,7 @@ class AngleOfIncidence : public BasePattern {
   double base_value(const Vec3&, const PatternContext& context) const override {
     if (!context.has_surface) return 0;
     const double cosine =
-        dot(unit_or_zero(context.normal), normalize_or_zero(context.ray_direction));
+        dot(unit_or_zero(context.normal), unit_or_zero(context.ray_direction));
     return std::acos(std::clamp(cosine, -1.0, 1.0)) / M_PI;
   }
   ValueRange base_range(const Bounds&) const override { return {0, 1}; }
