@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "tracer/patterns/noise.h"
-#include "tracer/patterns/wave_sources.h"
 #include "tracer/patterns/pattern_factories.h"
+#include "tracer/patterns/quilt.h"
+#include "tracer/patterns/wave_sources.h"
 
 namespace durer {
 namespace {
@@ -61,11 +62,8 @@ class Quilted : public BasePattern {
   explicit Quilted(const PatternNode& node)
       : control0_(node.quilt_control0), control1_(node.quilt_control1) {}
   double base_value(const Vec3& p, const PatternContext&) const override {
-    const Vec3 w = p - glm::floor(p) - Vec3(0.5);
-    const double t = length(w), u = 1 - t;
-    const double s = 1.154700538 * (t * t * t + 3 * t * (u * u * control0_ + t * u * control1_));
-    // Negative controls may bend s below 0; its size counts (measured on povray 3.7).
-    return std::abs(s) * (std::abs(w.x) + std::abs(w.y) + std::abs(w.z)) / 3;
+    const Vec3 q = quilt(p, control0_, control1_);
+    return (std::abs(q.x) + std::abs(q.y) + std::abs(q.z)) / 3;
   }
   // t is at most half the cube's diagonal; t·u² and t²·u are at most 4/27, the mean of |w| 1/2.
   ValueRange base_range(const Bounds&) const override {

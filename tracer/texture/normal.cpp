@@ -5,6 +5,7 @@
 #include "tracer/image/image.h"
 #include "tracer/patterns/facets.h"
 #include "tracer/patterns/noise.h"
+#include "tracer/patterns/quilt.h"
 #include "tracer/patterns/wave_sources.h"
 #include "tracer/texture/blend_map.h"
 #include "tracer/texture/normal_frame.h"
@@ -91,10 +92,7 @@ class QuiltedBump : public Bump {
         control0_(node.pattern->quilt_control0),
         control1_(node.pattern->quilt_control1) {}
   Vec3 bend(const Vec3& q, const Vec3& n, const TextureContext&) const override {
-    const Vec3 w = q - glm::floor(q) - Vec3(0.5);
-    const double t = length(w), u = 1 - t;
-    const double s = 1.154700538 * (t * t * t + 3 * t * (u * u * control0_ + t * u * control1_));
-    return n + amount_ * s * w;
+    return n + amount_ * quilt(q, control0_, control1_);
   }
 
  private:
