@@ -15,8 +15,9 @@ constexpr uint32_t kTreeThreshold = 24;
 // The next double up: lets a later child take over at equal depth.
 double just_beyond(double t) { return std::nextafter(t, HUGE_VAL); }
 
-// Whether a ray is in a box somewhere on an interval. The interval stays as it is: rounding puts some of the
-// hits of swept shapes outside of their boxes, and povray takes those of rays that meet the box.
+// Whether a ray is in a box somewhere on an interval. The interval stays as it is: rounding puts
+// some of the hits of swept shapes outside of their boxes, and povray takes those of rays that meet
+// the box.
 bool meets(const Bounds& box, const BvhRay& ray, const Interval& interval) {
   double low = interval.min, high = interval.max;
   ray.clip(box, low, high);

@@ -13,8 +13,8 @@ inline double whole_below(double x) {
   return whole == x && x < 0 ? whole - 1 : whole;
 }
 
-// From the centre of the unit cube around a point to the point, times a cubic of its distance whose inner Bernstein
-// coefficients are the controls. In povray's order of operations.
+// From the centre of the unit cube around a point to the point, times a cubic of its distance whose
+// inner Bernstein coefficients are the controls. In povray's order of operations.
 inline Vec3 quilt(const Vec3& p, double control0, double control1) {
   const Vec3 w = p - Vec3(whole_below(p.x), whole_below(p.y), whole_below(p.z)) - Vec3(0.5);
   const double t = length(w), u = 1 - t, t2 = t * t, u2 = u * u;

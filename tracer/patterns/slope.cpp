@@ -34,11 +34,10 @@ class Slope : public BasePattern {
   explicit Slope(const SlopeParameters& s)
       : s_(s), direction_(unit_or_zero(s.direction)), up_(unit_or_zero(s.altitude)) {
     const double slope_length = length(s.direction), altitude_length = length(s.altitude);
-    // povray keeps the sum in single precision; so a slope alone does not weigh 1, and where it is steepest
-    // it may reach 1 or not.
-    if (s.has_altitude || !s.is_point) {
-      weight_ = slope_length / static_cast<double>(static_cast<float>(slope_length + altitude_length));
-    }
+    // povray keeps the sum in single precision; so a slope alone does not weigh 1, and where it is
+    // steepest it may reach 1 or not.
+    const auto sum = static_cast<float>(slope_length + altitude_length);
+    if (s.has_altitude || !s.is_point) weight_ = slope_length / static_cast<double>(sum);
   }
   double base_value(const Vec3& p, const PatternContext& context) const override {
     if (!context.has_surface) return 0;

@@ -107,8 +107,8 @@ class Shape {
   virtual bool is_solid_within_bounds() const { return true; }
   // The same test of the inverted solid; differs from the negation where borders are in neither.
   virtual bool inside_inverted(const Vec3& point) const { return !inside(point); }
-  // Whether povray finds the point of a hit in the shape's own space, which last digits show: then place()
-  // gives it there.
+  // Whether povray finds the point of a hit in the shape's own space, which last digits show: then
+  // place() gives it there.
   virtual bool places_hits() const { return false; }
   virtual Vec3 place(const ShapeRay& ray, const ShapeHit& hit) const;
   // Local, of any length but zero.

@@ -121,7 +121,8 @@ class Sphere : public Shape {
   std::shared_ptr<const Matrix> orientation_;
 };
 
-// A sphere under a transform. povray finds its hits along the moved ray made length 1, and moves them back.
+// A sphere under a transform. povray finds its hits along the moved ray made length 1, and moves
+// them back.
 class Ellipsoid final : public Sphere {
  public:
   explicit Ellipsoid(const Sphere& sphere) : Sphere(sphere) {}

@@ -76,7 +76,8 @@ class Triangle final : public Shape {
     std::array<Vec3, 3> p, n = n_;
     for (int i = 0; i < 3; ++i) p[i] = transform.point(p_[i]);
     if (smooth_) {
-      // Their lengths weigh them afterwards; only a scale, which divides them, makes them unit vectors again.
+      // Their lengths weigh them afterwards; only a scale, which divides them, makes them unit
+      // vectors again.
       const Matrix& m = transform.forward;
       const Vec3 factors{m.row[0].x, m.row[1].y, m.row[2].z};
       const bool is_scaling = transform.kind == TransformKind::scaling;

@@ -39,8 +39,9 @@ class Finder {
     return std::move(found_);
   }
 
-  // Whether something that stops light lies open, so that it is what a shadow ray from the ground or
-  // from the solid itself meets first. Looked for from all directions, through points that fill its box.
+  // Whether something that stops light lies open, so that it is what a shadow ray from the ground
+  // or from the solid itself meets first. Looked for from all directions, through points that fill
+  // its box.
   bool shows_what_stops_light(const RememberedCaster& caster, const StopsLight& stops_light) {
     const GeometryNode& node = data_.geometry.nodes[caster.node];
     if (!node.surface_is_bounded || !node.reach.is_bounded()) {

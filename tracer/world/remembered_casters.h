@@ -8,9 +8,9 @@
 
 namespace durer {
 
-// Whether a caster lets no light through where a ray from outside hits it. Ray and direction: in the world.
-using StopsLight =
-    std::function<bool(const RememberedCaster& caster, const GeometryRay& ray, const ShapeHit& hit)>;
+// Whether a caster lets no light through where a ray of the world hits it from outside.
+using StopsLight = std::function<bool(const RememberedCaster& caster, const GeometryRay& ray,
+                                      const ShapeHit& hit)>;
 
 // Of the scene, by textures and by what can be seen from outside; none if there are many.
 std::vector<RememberedCaster> find_remembered_casters(const WorldData& data,

@@ -333,7 +333,9 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
   out.object = &data.objects[node.object];
   const Instance* instance = hit.instance ? &data.instances[hit.instance - 1] : nullptr;
   Vec3 local = origin + hit.t * unit_direction;
-  if (node.places_hits) [[unlikely]] local = placed_hit(data, node, instance, origin, unit_direction, shape_hit);
+  if (node.places_hits) [[unlikely]] {
+    local = placed_hit(data, node, instance, origin, unit_direction, shape_hit);
+  }
   out.point = local;
   if (instance) {
     const SharedGroup& group = *data.groups[instance->group];
