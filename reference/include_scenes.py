@@ -35,6 +35,7 @@ LOOKS = {
     "finish": "pigment {{ rgb <0.8, 0.5, 0.25> }} finish {{ {name} }}",
     "interior": "pigment {{ rgbt 1 }} finish {{ reflection 0.1 }} interior {{ {name} }}",
     "color_map": "pigment {{ bozo color_map {{ {name} }} scale 0.3 }}",
+    "colour_map": "pigment {{ bozo color_map {{ {name} }} scale 0.3 }}",
 }
 
 
