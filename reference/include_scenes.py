@@ -1,7 +1,7 @@
 """A scene for every texture, pigment, material, finish, interior, sky_sphere and color_map of the standard includes.
 
 The includes declare 602 of them; each is put on the same few shapes, so that all can be compared with
-povray and looked at side by side. The scenes are written anew each time, below build/includes/FILE.inc/.
+povray and looked at side by side. The scenes are written when they are asked for, below build/includes/FILE.inc/.
 """
 import re
 from pathlib import Path

@@ -132,7 +132,8 @@ class Ellipsoid final : public Sphere {
     double near, far;
     const double stretch = depths(ray, near, far);
     if (stretch == 0) return Shape::place(ray, hit);
-    const double depth = hit.t == near / stretch ? near : far;
+    const double depth =
+        std::abs(near / stretch - hit.t) <= std::abs(far / stretch - hit.t) ? near : far;
     return ray.origin + depth * (ray.direction * (1 / stretch));
   }
   Vec3 normal(const Vec3& p, const ShapeHit&) const override { return p - center_; }

@@ -292,7 +292,7 @@ class BumpMapNormal : public CompiledNormal {
       heights = {grey(x, y), grey(left, below), grey(right, below)};
     const Vec3 b =
         unit_or_zero(cross(Vec3(2, amount_ * (heights.z - heights.y), 0),
-                                Vec3(1, amount_ * (heights.x - heights.y), -1)));
+                           Vec3(1, amount_ * (heights.x - heights.y), -1)));
     const Vec3 n = frame_.inwards(normal);
     Vec3 up = n, side = cross(n, Vec3(0, 1, 0));
     if (length(side) < 1e-10) {
@@ -325,8 +325,7 @@ class UvNormal : public CompiledNormal {
  public:
   explicit UvNormal(std::shared_ptr<const CompiledNormal> inner) : inner_(std::move(inner)) {}
   Vec3 perturb(const Vec3&, const TextureContext& context, const Vec3& normal) const override {
-    return unit_or_zero(
-        inner_->perturb({context.uv.x, context.uv.y, 0}, context, normal));
+    return unit_or_zero(inner_->perturb({context.uv.x, context.uv.y, 0}, context, normal));
   }
 
  private:
