@@ -87,12 +87,8 @@ struct EmbreeMesh::Scene {
 };
 
 EmbreeMesh::EmbreeMesh(const std::vector<glm::vec3>& vertices,
-                       const std::vector<std::array<int32_t, 3>>& faces)
-    : scene_(std::make_unique<Scene>()) {
-  for (const auto& face : faces) {
-    for (const int32_t v : face) bounds_.extend(Vec3(vertices[v]));
-  }
-  center_ = bounds_.center();
+                       const std::vector<std::array<int32_t, 3>>& faces, const Bounds& bounds)
+    : scene_(std::make_unique<Scene>()), bounds_(bounds), center_(bounds.center()) {
   const RTCGeometry geometry =
       embree().rtcNewGeometry(scene_->device->device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* points = static_cast<float*>(
@@ -110,7 +106,7 @@ EmbreeMesh::EmbreeMesh(const std::vector<glm::vec3>& vertices,
   embree().rtcAttachGeometry(scene_->scene, geometry);
   embree().rtcReleaseGeometry(geometry);
   embree().rtcSetSceneFlags(scene_->scene, static_cast<RTCSceneFlags>(
-                                      RTC_SCENE_FLAG_ROBUST |
+                                      RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT |
                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   // By one thread: the order within leaves must not depend on how many there are.
   const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);

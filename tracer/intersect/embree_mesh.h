@@ -15,8 +15,9 @@ using TriangleVisitor = void (*)(void* context, uint32_t face);
 
 class EmbreeMesh {
  public:
+  // The faces lie within `bounds`.
   EmbreeMesh(const std::vector<glm::vec3>& vertices,
-             const std::vector<std::array<int32_t, 3>>& faces);
+             const std::vector<std::array<int32_t, 3>>& faces, const Bounds& bounds);
   ~EmbreeMesh();
 
   // The face that Embree finds nearest between two depths along a unit direction. Its depth is

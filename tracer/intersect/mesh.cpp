@@ -24,25 +24,13 @@ class Mesh final : public Shape {
   explicit Mesh(std::shared_ptr<const ShapeNode> node)
       : node_(std::move(node)), mesh_(std::get<Rare<MeshNode>>(*node_)) {
     const size_t count = mesh_.face_vertices.size();
-    std::vector<Bounds> boxes;
-    const bool own = count < kEmbreeThreshold;
-    for (const auto& face : mesh_.face_vertices) {
-      Bounds box;
-      for (const int32_t v : face) box.extend(Vec3(mesh_.vertices[v]));
-      bounds_.extend(box);
-      if (own) boxes.push_back(box);
-    }
-    if (own) {
-      bvh_.build(boxes);
+    for (const auto& face : mesh_.face_vertices) bounds_.extend(box_of(face));
+    if (count < kEmbreeThreshold) {
+      bvh_.build(count, [&](uint32_t face) { return box_of(mesh_.face_vertices[face]); });
     } else {
-      embree_ = std::make_unique<EmbreeMesh>(mesh_.vertices, mesh_.face_vertices);
+      embree_ = std::make_unique<EmbreeMesh>(mesh_.vertices, mesh_.face_vertices, bounds_);
     }
-    if (mesh_.face_planes.empty()) {
-      for (size_t face = 0; face < count; ++face) {
-        const Corners c = corners(static_cast<uint32_t>(face));
-        planes_.push_back(mesh_plane_of(c.p[0], c.p[1], c.p[2]));
-      }
-    }
+    if (mesh_.face_planes.empty()) add_planes();
     if (mesh_.inside_vector) inside_direction_ = normalize_or_zero(*mesh_.inside_vector);
     is_solid_ = inside_direction_ != Vec3(0);
     has_holes_ = is_solid_ && leaves_edges_open();
@@ -115,8 +103,8 @@ class Mesh final : public Shape {
   }
 
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
-    const MeshPlane& of = plane(hit.part);
-    if (!is_smooth(hit.part)) return Vec3(of.normal);
+    if (!is_smooth(hit.part)) return Vec3(plane(hit.part).normal);
+    const MeshAltitude& of = (altitudes_.empty() ? mesh_.face_altitudes : altitudes_)[hit.part];
     const auto& n = mesh_.face_normals[hit.part];
     const Corners c = corners(hit.part);
     const int first = of.is_exchanged, second = 1 - first;
@@ -232,6 +220,26 @@ class Mesh final : public Shape {
     const auto& v = mesh_.face_vertices[face];
     return {{Vec3(mesh_.vertices[v[0]]), Vec3(mesh_.vertices[v[1]]), Vec3(mesh_.vertices[v[2]])}};
   }
+  Bounds box_of(const std::array<int32_t, 3>& face) const {
+    glm::vec3 low = mesh_.vertices[face[0]], high = low;
+    for (int i = 1; i < 3; ++i) {
+      low = glm::min(low, mesh_.vertices[face[i]]);
+      high = glm::max(high, mesh_.vertices[face[i]]);
+    }
+    return {Vec3(low), Vec3(high)};
+  }
+  void add_planes() {
+    const size_t count = mesh_.face_vertices.size();
+    planes_.reserve(count);
+    if (!mesh_.face_normals.empty()) altitudes_.reserve(count);
+    for (uint32_t face = 0; face < count; ++face) {
+      const Corners c = corners(face);
+      planes_.push_back(mesh_plane_of(c.p[0], c.p[1], c.p[2]));
+      if (!mesh_.face_normals.empty()) {
+        altitudes_.push_back(mesh_altitude_of(c.p[0], c.p[1], c.p[2]));
+      }
+    }
+  }
   const MeshPlane& plane(uint32_t face) const {
     return mesh_.face_planes.empty() ? planes_[face] : mesh_.face_planes[face];
   }
@@ -277,11 +285,7 @@ class Mesh final : public Shape {
   const BoxHierarchy& hierarchy() const {
     std::call_once(hierarchy_made_, [&] {
       std::vector<FloatBox> boxes;
-      for (const auto& face : mesh_.face_vertices) {
-        Bounds box;
-        for (const int32_t v : face) box.extend(Vec3(mesh_.vertices[v]));
-        boxes.push_back(FloatBox::from(box));
-      }
+      for (const auto& face : mesh_.face_vertices) boxes.push_back(FloatBox::from(box_of(face)));
       hierarchy_ = std::make_unique<BoxHierarchy>(boxes);
     });
     return *hierarchy_;
@@ -365,7 +369,8 @@ class Mesh final : public Shape {
 
   std::shared_ptr<const ShapeNode> node_;
   const MeshNode& mesh_;
-  std::vector<MeshPlane> planes_;  // where the node has none
+  std::vector<MeshPlane> planes_;        // where the node has none
+  std::vector<MeshAltitude> altitudes_;  // likewise, of meshes with smooth faces
   Bvh bvh_;
   std::unique_ptr<EmbreeMesh> embree_;
   // POV-Ray's, made when a CSG first asks for all hits, or where triangles coincide: most members

@@ -140,10 +140,13 @@ struct MeshFace {
   std::array<int32_t, 3> uv{-1, -1, -1};
   std::array<int32_t, 3> texture{-1, -1, -1};
 };
-// The plane of a triangle, dot(normal, p) = distance, and what its smooth normals are mixed by.
+// The plane of a triangle, dot(normal, p) = distance.
 struct MeshPlane {
   glm::vec3 normal{0};  // of length 1; 0 without area
   float distance = 0;
+};
+// What the normals of a smooth triangle are mixed by.
+struct MeshAltitude {
   glm::vec3 altitude{0};  // in the plane; dot(altitude, p - p1) is 0 at p1 and 1 on the edge p2 p3
   bool is_exchanged = false;  // the altitude stands on the edge p1 p3, with p2 at its foot
 };
@@ -159,6 +162,7 @@ struct MeshNode {
   std::vector<std::array<int32_t, 3>> face_textures;
   // Of the corners as they were before they became single precision; empty: of the vertices.
   std::vector<MeshPlane> face_planes;
+  std::vector<MeshAltitude> face_altitudes;  // likewise, up to the last smooth face
   std::optional<Vec3> inside_vector;
   bool hierarchy = true;
 };

@@ -48,18 +48,18 @@ inline Vec3 altitude_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
 // Points of meshes are off their corners' planes by some 1e-7 of their size, and in the same way.
 inline MeshPlane mesh_plane_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
   const Vec3 unit = normalize_or_zero(cross(p3 - p1, p2 - p1));
-  MeshPlane plane{glm::vec3(unit), static_cast<float>(dot(unit, p1))};
+  return {glm::vec3(unit), static_cast<float>(dot(unit, p1))};
+}
+inline MeshAltitude mesh_altitude_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
   int a, b;
-  projection_axes(unit, a, b);
+  projection_axes(normalize_or_zero(cross(p3 - p1, p2 - p1)), a, b);
   const bool exchange = needs_exchange(p1, p2, p3, a, b);
-  plane.is_exchanged = exchange;
   const Vec3 &first = exchange ? p2 : p1, &second = exchange ? p1 : p2;
   const Vec3 unit_edge = normalize_or_zero(p3 - second);
   const Vec3 side = first - p3;
   glm::vec3 across(dot(side, unit_edge) * unit_edge - side);
   across *= 1 / std::sqrt(across.x * across.x + across.y * across.y + across.z * across.z);
-  plane.altitude = across * (-1 / static_cast<float>(dot(Vec3(across), side)));
-  return plane;
+  return {across * (-1 / static_cast<float>(dot(Vec3(across), side))), exchange};
 }
 
 // The two numbers u, v with N = N1 + u (N2 - N1 + v (N3 - N2)) at a point of the triangle.

@@ -29,7 +29,11 @@ class MeshReader {
     if (keep) {
       mesh_.face_vertices.push_back(append(mesh_.vertices, vertex));
       mesh_.face_planes.push_back(mesh_plane_of(vertex[0], vertex[1], vertex[2]));
-      if (smooth) set(mesh_.face_normals, face, append(mesh_.normals, normal));
+      if (smooth) {
+        set(mesh_.face_normals, face, append(mesh_.normals, normal));
+        mesh_.face_altitudes.resize(face);
+        mesh_.face_altitudes.push_back(mesh_altitude_of(vertex[0], vertex[1], vertex[2]));
+      }
     }
     bool textured = false;
     for (;;) {
