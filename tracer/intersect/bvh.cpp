@@ -30,15 +30,17 @@ const bool kHasX86v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports(
                        __builtin_cpu_supports("bmi2");
 
 void Bvh::build(const std::vector<Bounds>& boxes) {
-  build(boxes.size(), [&](uint32_t i) { return boxes[i]; });
+  Bounds all;
+  for (const Bounds& box : boxes) all.extend(box);
+  build(boxes.size(), all, [&](uint32_t i) { return boxes[i]; });
 }
 
-void Bvh::build(size_t count, const std::function<Bounds(uint32_t)>& box_of) {
+void Bvh::build(size_t count, const Bounds& bounds,
+                const std::function<Bounds(uint32_t)>& box_of) {
   nodes_.clear();
   items_.clear();
-  bounds_ = Bounds();
+  bounds_ = bounds;
   if (count == 0) return;
-  for (uint32_t i = 0; i < count; ++i) bounds_.extend(box_of(i));
   center_ = bounds_.center();
   // Whatever is computed in single precision from points near the boxes errs by less than this.
   const Vec3 half = 0.5 * bounds_.size();

@@ -60,8 +60,8 @@ class Bvh {
  public:
   // Boxes must be finite and not empty; item i is boxes[i].
   void build(const std::vector<Bounds>& boxes);
-  // The same of boxes that are made when they are asked for: each twice.
-  void build(size_t count, const std::function<Bounds(uint32_t)>& box_of);
+  // The same of boxes that are made when they are asked for, once each; `bounds` encloses them all.
+  void build(size_t count, const Bounds& bounds, const std::function<Bounds(uint32_t)>& box_of);
 
   // Visits the leaves whose boxes the ray may meet before t_max, near ones first; each item at least
   // when its box overlaps [0, t_max], perhaps also others. Origins may be anywhere.

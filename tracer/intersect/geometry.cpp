@@ -403,52 +403,57 @@ void Geometry::finish_node(uint32_t index) {
   GeometryNode& node = nodes[index];
   if (node.kind == NodeKind::merge || node.kind == NodeKind::union_) take_in_own_kind(node);
   enclose(index);
-  node.narrows = node.kind == NodeKind::shape && node.shape->is_convex_solid() && !node.inverted &&
-                 node.clips.count == 0 && node.bounds.count == 0;
-  node.places_hits = node.kind == NodeKind::shape && node.shape->places_hits();
-  node.is_half_space = node.kind == NodeKind::shape && node.shape->is_half_space();
-  node.looks_along_world =
-      node.kind == NodeKind::shape && node.transform >= 0 && node.shape->looks_along_world();
-  node.holds_outside = node.kind == NodeKind::shape && node.shape->is_outside_of_convex();
-  std::vector<uint32_t> solids;
-  SweepPlan plan;
-  const auto is_flat = [&] {
-    return std::all_of(plan.parts.begin(), plan.parts.end(), [](const SweptPart& part) {
-      return part.kind == NodeKind::intersection;
-    });
-  };
-  if ((node.kind == NodeKind::intersection || node.kind == NodeKind::merge) &&
-      gather_convex_solids(index, -1, solids, plan) &&
-      (solids.size() <= kMostSweptSolids || is_flat())) {
-    if (node.tree >= 0) {
-      // What stands in the hierarchy is cut out through it.
-      solids.clear();
-      for (const uint32_t i : trees[node.tree]->others) {
-        solids.push_back(lists[node.children.first + i]);
-      }
-    }
-    node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
-    node.is_flat = is_flat();
-    // What is cut out comes last: most rays miss what it is cut out of.
-    if (node.is_flat) {
-      std::stable_partition(solids.begin(), solids.end(),
-                            [&](uint32_t solid) { return !nodes[solid].inverted; });
-    }
-    lists.insert(lists.end(), solids.begin(), solids.end());
-    if (!node.is_flat) {
-      lists.push_back(static_cast<uint32_t>(sweep_plans.size()));
-      sweep_plans.push_back(std::move(plan));
-    }
-  }
   // A sphere or box in place is met or missed as fast as its bounds; so is an intersection that
   // starts with one.
   const auto is_quick = [](const GeometryNode& n) {
     return n.kind == NodeKind::shape && n.transform < 0 && n.shape->is_quickly_missed();
   };
   node.is_boxed = node.surface_is_bounded && !is_quick(node);
+  if (node.kind == NodeKind::shape) {
+    const Shape& shape = *node.shape;
+    node.narrows = shape.is_convex_solid() && !node.inverted && node.clips.count == 0 &&
+                   node.bounds.count == 0;
+    node.places_hits = shape.places_hits();
+    node.is_half_space = shape.is_half_space();
+    node.looks_along_world = node.transform >= 0 && shape.looks_along_world();
+    node.holds_outside = shape.is_outside_of_convex();
+    return;
+  }
+  if (node.kind == NodeKind::intersection || node.kind == NodeKind::merge) plan_sweep(index);
   if (node.kind == NodeKind::intersection && node.children.count > 0 && node.tree < 0) {
     const GeometryNode& first = nodes[lists[node.children.first]];
     node.is_boxed &= !(first.narrows && is_quick(first));
+  }
+}
+
+// Notes the convex solids of a CSG, where it is made of them alone.
+void Geometry::plan_sweep(uint32_t index) {
+  GeometryNode& node = nodes[index];
+  std::vector<uint32_t> solids;
+  SweepPlan plan;
+  if (!gather_convex_solids(index, -1, solids, plan)) return;
+  const bool is_flat =
+      std::all_of(plan.parts.begin(), plan.parts.end(),
+                  [](const SweptPart& part) { return part.kind == NodeKind::intersection; });
+  if (solids.size() > kMostSweptSolids && !is_flat) return;
+  if (node.tree >= 0) {
+    // What stands in the hierarchy is cut out through it.
+    solids.clear();
+    for (const uint32_t i : trees[node.tree]->others) {
+      solids.push_back(lists[node.children.first + i]);
+    }
+  }
+  node.swept = {static_cast<uint32_t>(lists.size()), static_cast<uint32_t>(solids.size())};
+  node.is_flat = is_flat;
+  // What is cut out comes last: most rays miss what it is cut out of.
+  if (is_flat) {
+    std::stable_partition(solids.begin(), solids.end(),
+                          [&](uint32_t solid) { return !nodes[solid].inverted; });
+  }
+  lists.insert(lists.end(), solids.begin(), solids.end());
+  if (!is_flat) {
+    lists.push_back(static_cast<uint32_t>(sweep_plans.size()));
+    sweep_plans.push_back(std::move(plan));
   }
 }
 

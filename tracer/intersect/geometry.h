@@ -165,6 +165,7 @@ class Geometry {
   void for_each_child_met(const GeometryNode& node, const GeometryRay& ray,
                           const Interval& interval, Visit&& visit) const;
   void take_in_own_kind(GeometryNode& node);
+  void plan_sweep(uint32_t index);
   void enclose(uint32_t node);
   bool keeps_hit(const GeometryNode& node, uint32_t child, const Vec3& point, uint8_t kind) const;
   bool takes_part(const GeometryNode& parent, const GeometryNode& child, uint8_t kind) const;

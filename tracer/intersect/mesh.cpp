@@ -26,7 +26,7 @@ class Mesh final : public Shape {
     const size_t count = mesh_.face_vertices.size();
     for (const auto& face : mesh_.face_vertices) bounds_.extend(box_of(face));
     if (count < kEmbreeThreshold) {
-      bvh_.build(count, [&](uint32_t face) { return box_of(mesh_.face_vertices[face]); });
+      bvh_.build(count, bounds_, [&](uint32_t face) { return box_of(mesh_.face_vertices[face]); });
     } else {
       embree_ = std::make_unique<EmbreeMesh>(mesh_.vertices, mesh_.face_vertices, bounds_);
     }

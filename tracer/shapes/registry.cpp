@@ -1,6 +1,5 @@
 // Which file compiles which statement. To add a shape: declare its `compile` here.
 #include "tracer/scene/light.h"
-#include "tracer/scene/not_supported.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
@@ -32,17 +31,6 @@ PlacedShape compile(const JuliaFractalNode& node, const ShapeContext& context);
 
 namespace {
 
-// Every other statement, by name.
-const char* name_of(const ShapeNode& node) {
-  static constexpr const char* kNames[] = {
-      "sphere", "box", "plane", "cylinder", "cone", "disc", "torus", "superellipsoid", "ovus",
-      "triangle", "smooth_triangle", "polygon", "quadric", "poly", "lathe", "sor", "prism",
-      "sphere_sweep", "blob", "text", "height_field", "bicubic_patch", "mesh", "isosurface",
-      "parametric", "julia_fractal", "CSG", "light_source"};
-  static_assert(std::size(kNames) == std::variant_size_v<ShapeNode>);
-  return kNames[node.index()];
-}
-
 template <typename Node>
 concept Compilable = requires(const Node& node, const ShapeContext& context) {
   compile(node, context);
@@ -56,7 +44,7 @@ PlacedShape compile_shape(const ShapeNode& node, const ShapeContext& context) {
         if constexpr (Compilable<std::decay_t<decltype(shape)>>) {
           return compile(shape, context);
         } else {
-          throw NotSupported(name_of(node), context.position);
+          return {};
         }
       },
       node);

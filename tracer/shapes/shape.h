@@ -172,11 +172,10 @@ struct PlacedShape {
 };
 
 struct ShapeContext {
-  SourcePosition position;
   int effective_version = 370;
 };
 
-// Null shape: never hit (degenerate). Throws NotSupported for shapes that cannot be rendered yet.
+// Null shape: never hit (degenerate), or no shape of its own (CSG, lights, text; meshes: compile_mesh()).
 PlacedShape compile_shape(const ShapeNode& node, const ShapeContext& context);
 
 }  // namespace durer

@@ -104,7 +104,8 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
   layer.is_lit_when_clear = finish.phong > 0 || finish.specular > 0 || finish.crand > 0;
   layer.highlight_exponent = finish.roughness != 0 ? 1 / finish.roughness : 0;
   const auto dark_cosine = [](float strength, float exponent) {
-    return exponent > 0 ? std::pow(1e-12f / std::max(strength, 1.0f), 1 / exponent) : 0;
+    if (!(strength > 0 && exponent > 0)) return 0.0f;
+    return std::pow(1e-12f / std::max(strength, 1.0f), 1 / exponent);
   };
   layer.dark_phong_cosine = dark_cosine(finish.phong, finish.phong_size);
   layer.dark_specular_cosine = dark_cosine(finish.specular, layer.highlight_exponent);

@@ -94,7 +94,6 @@ struct CompiledTexture {
 Vec3 layer_normal(const TextureLayer& layer, const EnclosingFrames& enclosing, const Vec3& point,
                   const Vec3& smooth, TextureContext& context);
 
-// Compiles a texture; what cannot be rendered yet is reported through NotSupported.
 CompiledTexture compile_texture(const TextureNode& texture, const TextureSettings& settings);
 std::unique_ptr<const CompiledPigment> compile_pigment(const PigmentNode& pigment,
                                                        const TextureSettings& settings);

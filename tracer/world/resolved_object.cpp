@@ -159,7 +159,6 @@ void ResolvedObject::expand() {
   ResolvedObject whole = *original;
   if (has_transform) whole.move(transform);
   whole.box = box;
-  whole.position = position;
   whole.default_texture = default_texture;
   whole.is_csg_child = is_csg_child;
   *this = std::move(whole);
@@ -328,7 +327,6 @@ ResolvedObject ObjectResolver::resolve_base(const ObjectNode& object) {
 
 ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
   ResolvedObject result = object->base ? resolve_base(*object) : resolve_shape(*object);
-  result.position = object->position;
   const bool was_difference = result.written_as_difference;
   bool changes_boxes = false;
   for (const Modifier& modifier : object->modifiers) {
@@ -411,7 +409,7 @@ ShapeNode with_sturm(const ShapeNode& node, bool sturm) {
 }  // namespace
 
 PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
-  const ShapeContext context{object.position, effective_version_};
+  const ShapeContext context{effective_version_};
   // `sturm` is written among the modifiers but belongs to the shape.
   for (auto modifier = object.modifiers.rbegin(); modifier != object.modifiers.rend(); ++modifier) {
     const auto* flag = std::get_if<SetFlag>(&*modifier);
@@ -544,8 +542,8 @@ void ObjectResolver::apply(ResolvedObject& object, const Modifier& modifier, boo
       case ObjectFlag::sturm:
         // Of a copy; in the shape's own statement compiled() has seen to it.
         if (object.shape && is_copy) {
-          const ShapeContext context{object.position, effective_version_};
-          object.shape = compile_shape(with_sturm(*object.written, value), context).shape;
+          object.shape =
+              compile_shape(with_sturm(*object.written, value), {effective_version_}).shape;
         }
         break;
       case ObjectFlag::hierarchy: break;  // changes nothing that is seen

@@ -77,7 +77,6 @@ struct ResolvedObject {
 
   FloatBox box;
   bool box_from_quadric = false;
-  SourcePosition position;
 
   void move(const Transform& transform);
   void invert();
@@ -99,7 +98,6 @@ class ObjectResolver {
 
   // Marks the objects that the scene uses often: these stay shared where they are only moved.
   void find_shared(const std::vector<ObjectPtr>& scene);
-  // Throws NotSupported.
   ResolvedObject resolve(const ObjectPtr& object);
 
  private:

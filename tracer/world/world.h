@@ -145,7 +145,7 @@ struct WorldOptions {
 
 class World {
  public:
-  // Throws NotSupported (tracer/scene/not_supported.h). Textures are compiled with the settings.
+  // Textures are compiled with the settings.
   static std::unique_ptr<World> build(const Scene& scene, const WorldOptions& options,
                                       const TextureSettings& textures = {});
   // The same of these objects instead of the scene's; each is let go on its way into the world.

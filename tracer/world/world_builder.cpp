@@ -579,11 +579,13 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
     return item;
   };
   std::vector<LooseMember> bounded;  // items are made once their order is known: they are large
+  Bounds whole;
   const auto add = [&](const LooseMember& part) {
     const Bounds box = box_of(part);
     if (box.is_empty()) return;
     if (box.is_bounded()) {
       bounded.push_back(part);
+      whole.extend(box);
     } else {
       list.infinite.push_back(item_of(part));
     }
@@ -592,7 +594,7 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
     if (wanted(i)) add({i, set.objects[i].node, true});
   }
   for (const LooseMember& member : members) add(member);
-  list.bvh.build(bounded.size(), [&](uint32_t i) { return box_of(bounded[i]); });
+  list.bvh.build(bounded.size(), whole, [&](uint32_t i) { return box_of(bounded[i]); });
   list.finite.reserve(bounded.size());
   for (const uint32_t i : list.bvh.items()) list.finite.push_back(item_of(bounded[i]));
   const auto is_quick = [](const SearchItem& item) {
