@@ -6,6 +6,7 @@
 // near the origin. A ray goes in steps of an estimated distance, at least 1 / precision, until it
 // finds itself on the other side, and then halves its way back.
 #include <algorithm>
+#include <bit>
 #include <vector>
 
 #include "tracer/shapes/julia_maps.h"
@@ -44,29 +45,38 @@ class JuliaFractal final : public Shape {
   bool is_solid_within_bounds() const override { return !inverted_; }
 
   void hits(const ShapeRay& ray, HitStack& out) const override {
-    Vec3 direction = placed_.inverse_direction(ray.direction);
-    const double scale = is_moved_ ? 1 / length(direction) : 1;
-    direction *= scale;
-    const Ray local{placed_.inverse_point(ray.origin), direction};
+    const LocalRay local = local_ray(ray);
     double t, end;
     if (!cross_sphere(local, t, end)) return;
     t = std::max(t, kLeastStep);
+    // The point is moved on step by step, as in POV-Ray: orbits blow up its last digits.
+    Vec3 point = local.at(t);
     double distance;
-    bool was_inside = march(local, t, distance);
+    bool was_inside = march(point, local.direction, distance);
     if (was_inside) {
       t += 2 * kLeastStep;
-      was_inside = march(local, t, distance);
+      point += 2 * kLeastStep * local.direction;
+      was_inside = march(point, local.direction, distance);
     }
     for (;;) {
       const double step = std::max(distance, precision_);
       t += step;
       if (!(t < end)) return;
-      const bool is_inside = march(local, t, distance);
+      const Vec3 before = point;
+      point += step * local.direction;
+      const bool is_inside = march(point, local.direction, distance);
       if (is_inside == was_inside) continue;
-      push(border(local, t, step, was_inside), local, scale, out);
+      push(border({before, t - step}, step, local.direction, was_inside), local, out);
       if (!ray.csg_child) return;
       was_inside = is_inside;
     }
+  }
+
+  bool places_hits() const override { return !Map::kMixesUpStart; }
+  Vec3 place(const ShapeRay& ray, const ShapeHit& hit) const override {
+    const LocalRay local = local_ray(ray);
+    const Vec3 offset(hit.u, hit.v, std::bit_cast<float>(hit.part));
+    return placed_.point(local.at(hit.t / local.scale) + offset);
   }
 
   bool inside(const Vec3& world_point) const override {
@@ -85,7 +95,7 @@ class JuliaFractal final : public Shape {
         for (Vec4& tangent : v) tangent = Map::carry(z, tangent);
         z = map_(z);
       }
-      return placed_.normal({glm::dot(v[0], z), glm::dot(v[1], z), glm::dot(v[2], z)});
+      return placed_.normal({dot_in_order(v[0], z), dot_in_order(v[1], z), dot_in_order(v[2], z)});
     } else {
       typename Map::Number z(start(placed_.inverse_point(world_point)));
       typename Map::Number q(Vec4(1, 0, 0, 0));
@@ -113,6 +123,22 @@ class JuliaFractal final : public Shape {
   bool takes_inverse_mark() const override { return false; }
 
  private:
+  // In the fractal's own space, with the direction brought to length 1 where it is not.
+  struct LocalRay : Ray {
+    double scale;  // from depths along it to those of the ray
+  };
+  // A point of the walk along a ray, as it was come to.
+  struct Place {
+    Vec3 point;
+    double t;
+  };
+
+  LocalRay local_ray(const ShapeRay& ray) const {
+    const Vec3 direction = placed_.inverse_direction(ray.direction);
+    const double scale = is_moved_ ? 1 / length(direction) : 1;
+    return {{placed_.inverse_point(ray.origin), direction * scale}, scale};
+  }
+
   bool cross_sphere(const Ray& ray, double& enter, double& leave) const {
     const double squared = dot(ray.origin, ray.origin), along = -dot(ray.origin, ray.direction);
     if (squared >= radius_ * radius_ && along < kGeometryEpsilon) return false;
@@ -136,7 +162,7 @@ class JuliaFractal final : public Shape {
     typename Map::Number z(start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p));
     remember(orbit, 0, z);
     for (int i = 0; i < iterations_; ++i) {
-      if (squared_size(z) > escape2_) return false;
+      if (Map::squared_size(z) > escape2_) return false;
       z = map_(z);
       remember(orbit, i + 1, z);
     }
@@ -148,11 +174,13 @@ class JuliaFractal final : public Shape {
     if constexpr (Map::kMixesUpStart) orbit[i] = z;
   }
 
-  // With its normal, where that depends on the points that the ray has tried: the first two of its
-  // components, their absolute values adding up to 1, and the third one's sign.
-  void push(double t, const Ray& ray, double scale, HitStack& out) const {
+  // With how far the walk has come off the straight line by rounding. Of complex functions, with the
+  // normal, which depends on the points that the ray has tried: the first two of its components, their
+  // absolute values adding up to 1, and the third one's sign.
+  void push(const Place& place, const LocalRay& ray, HitStack& out) const {
+    const double t = place.t * ray.scale;
     if constexpr (Map::kMixesUpStart) {
-      is_in_set(ray.at(t));
+      is_in_set(place.point);
       const Vec4* orbit = remembered_orbit(iterations_ + 1);
       Vec4 q = map_.factor(orbit[0], 0);
       for (int k = 1; k < iterations_; ++k) {
@@ -160,9 +188,10 @@ class JuliaFractal final : public Shape {
       }
       const Vec3 n = gradient(q, orbit[iterations_]);
       const double size = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-      out.push(t * scale, n.z < 0, static_cast<float>(n.x / size), static_cast<float>(n.y / size));
+      out.push(t, n.z < 0, static_cast<float>(n.x / size), static_cast<float>(n.y / size));
     } else {
-      out.push(t * scale);
+      const glm::vec3 offset(place.point - ray.at(t / ray.scale));
+      out.push(t, std::bit_cast<uint32_t>(offset.z), offset.x, offset.y);
     }
   }
 
@@ -172,18 +201,19 @@ class JuliaFractal final : public Shape {
             -q.z * z.x - q.w * z.y + q.x * z.z + q.y * z.w};
   }
 
-  // Whether the point at t is in the set, and how far the set is.
-  bool march(const Ray& ray, double t, double& distance) const {
+  // Whether a point is in the set, and how far the set is along the ray.
+  bool march(const Vec3& point, const Vec3& direction, double& distance) const {
     distance = precision_;
-    typename Map::Number z(start(ray.at(t)));
+    typename Map::Number z(start(point));
     if constexpr (Map::kQuaternion) {
-      double product2 = 1, shrink = 1;
+      Vec4 q = z;  // the product of all points of the orbit
+      double shrink = 1;
       for (int i = 0; i < iterations_; ++i) {
-        const double size2 = glm::dot(z, z);
-        product2 *= size2;
+        const double size2 = Map::squared_size(z);
+        if (i > 0) q = quaternion_product(z, q);
         shrink /= Map::kDegree;
         if (size2 > escape2_) {
-          distance = shrink * std::sqrt(size2 / product2) * std::log(size2);
+          distance = shrink * std::sqrt(size2 / dot_in_order(q, q)) * std::log(size2);
           return false;
         }
         z = map_(z);
@@ -195,10 +225,10 @@ class JuliaFractal final : public Shape {
       remember(orbit, 0, z);
       typename Map::Number q = z;  // the first factor, which counts even where no step is taken
       for (int i = 0; i < iterations_; ++i) {
-        const double size2 = squared_size(z);
+        const double size2 = Map::squared_size(z);
         if (size2 > escape2_) {
           const double slope =
-              Map::scale(i) * dot(gradient(as_vector(q), as_vector(z)), ray.direction);
+              Map::scale(i) * dot(gradient(as_vector(q), as_vector(z)), direction);
           if (slope >= -kLeastDistance) return false;
           const double steepness = -2 * slope, shortest = precision_ * steepness;
           if (size2 > shortest && size2 < kLongestStride * shortest) distance = size2 / steepness;
@@ -212,15 +242,15 @@ class JuliaFractal final : public Shape {
     }
   }
 
-  // Where the ray crosses the border that it has passed with its last step to t.
-  double border(const Ray& ray, double t, double step, bool was_inside) const {
-    t -= step;
+  // Where the ray crosses the border within a step from a place on.
+  Place border(Place place, double step, const Vec3& direction, bool was_inside) const {
     do {
       step *= 0.5;
-      if (is_in_set(ray.at(t + step)) == was_inside) t += step;
+      const Vec3 middle = place.point + step * direction;
+      if (is_in_set(middle) == was_inside) place = {middle, place.t + step};
     } while (step > kLeastStep);
     // On the inner side.
-    return was_inside ? t : t + step;
+    return was_inside ? place : Place{place.point + step * direction, place.t + step};
   }
 
   Map map_;

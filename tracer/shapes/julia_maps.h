@@ -11,7 +11,19 @@
 
 namespace durer {
 
-// i·j = k with i² = j² = k² = -1; x is the real part.
+// i·j = k with i² = j² = k² = -1; x is the real part. Sums in the order of POV-Ray's last digits, which
+// orbits blow up (decision 0071).
+inline Vec4 quaternion_product(const Vec4& a, const Vec4& b) {
+  return {a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w,
+          a.x * b.y + a.y * b.x + a.z * b.w - a.w * b.z,
+          a.x * b.z + a.z * b.x + a.w * b.y - a.y * b.w,
+          a.x * b.w + a.w * b.x + a.y * b.z - a.z * b.y};
+}
+
+inline double dot_in_order(const Vec4& a, const Vec4& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+
 struct QuaternionSquare {
   using Number = Vec4;
   static constexpr bool kQuaternion = true, kMixesUpStart = false;
@@ -19,13 +31,16 @@ struct QuaternionSquare {
   Vec4 c;
 
   Vec4 operator()(const Vec4& z) const {
-    return Vec4(z.x * z.x - z.y * z.y - z.z * z.z - z.w * z.w, 2 * z.x * z.y, 2 * z.x * z.z,
+    return Vec4(z.x * z.x - (z.y * z.y + z.z * z.z + z.w * z.w), 2 * z.x * z.y, 2 * z.x * z.z,
                 2 * z.x * z.w) +
            c;
   }
+  static double squared_size(const Vec4& z) {
+    return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
+  }
   // The image of a tangent v at z, up to a factor.
   static Vec4 carry(const Vec4& z, const Vec4& v) {
-    return {z.x * v.x - (z.y * v.y + z.z * v.z + z.w * v.w), v.x * z.y + z.x * v.y,
+    return {z.x * v.x - z.y * v.y - z.z * v.z - z.w * v.w, v.x * z.y + z.x * v.y,
             v.x * z.z + z.x * v.z, v.x * z.w + z.x * v.w};
   }
 };
@@ -39,6 +54,9 @@ struct QuaternionCube {
   Vec4 operator()(const Vec4& z) const {
     const double x2 = z.x * z.x, d = z.y * z.y + z.z * z.z + z.w * z.w, factor = 3 * x2 - d;
     return Vec4(z.x * (x2 - 3 * d), z.y * factor, z.z * factor, z.w * factor) + c;
+  }
+  static double squared_size(const Vec4& z) {
+    return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
   }
   static Vec4 carry(const Vec4& z, const Vec4& v) {
     const double t = 2 * (z.y * v.y + z.z * v.z + z.w * v.w);
@@ -93,6 +111,8 @@ struct HypercomplexSquare {
   static constexpr bool kQuaternion = false, kMixesUpStart = false;
   Vec4 c;
 
+  static double squared_size(const Vec4& z) { return durer::squared_size(z); }
+
   Vec4 operator()(const Vec4& z) const {
     return Vec4(z.x * z.x - z.y * z.y - z.z * z.z + z.w * z.w, 2 * (z.x * z.y - z.z * z.w),
                 2 * (z.x * z.z - z.y * z.w), 2 * (z.x * z.w + z.y * z.z)) +
@@ -131,6 +151,7 @@ struct HypercomplexReciprocal {
 
   explicit HypercomplexReciprocal(const Vec4& constant) : c(constant) {}
 
+  static double squared_size(const OnPlanes& z) { return durer::squared_size(z); }
   OnPlanes operator()(const OnPlanes& z) const { return plus_c(reciprocal(z)); }
   OnPlanes factor_of_step(OnPlanes& z, int k) const {
     const OnPlanes r = reciprocal(z), square = product(r, r);
@@ -161,6 +182,7 @@ struct HypercomplexFunction {
   ComplexFunction function;
   Vec2 power;
 
+  static double squared_size(const Vec4& z) { return durer::squared_size(z); }
   Vec4 image(const Vec4& z) const {
     return on_both_planes(z, [&](const std::complex<double>& w) { return function(w, power); });
   }
