@@ -16,8 +16,9 @@ PixelColor operator+(const PixelColor& a, const PixelColor& b) {
   return {a.color + b.color, a.transmit + b.transmit};
 }
 
-PixelColor scaled(const PixelColor& c, float factor) {
-  return {c.color * factor, c.transmit * factor};
+// As POV-Ray divides: a product with the reciprocal rounds otherwise, and codes amid two show it.
+PixelColor divided(const PixelColor& c, float by) {
+  return {RGB(c.color.red / by, c.color.green / by, c.color.blue / by), c.transmit / by};
 }
 
 // Values from 2^-20 to 16 by their exponent and the first six bits of their mantissa.
@@ -169,7 +170,7 @@ void render_block_method1(const PixelSampler& sampler, const SampleContrast& con
       }
     }
     sample();
-    cell.color = scaled(sum, 1.0f / static_cast<float>(k * k + 1));
+    cell.color = divided(sum, static_cast<float>(k * k + 1));
     cell.supersampled = true;
     if (inside(window, x, y)) framebuffer.at(x, y) = cell.color;
   };
@@ -294,9 +295,9 @@ class PixelSubdivision {
       const PixelColor lower_left = square(i0, jm, im, j1, x - h, y + h, h, level - 1);
       const PixelColor upper_right = square(im, j0, i1, jm, x + h, y - h, h, level - 1);
       const PixelColor lower_right = square(im, jm, i1, j1, x + h, y + h, h, level - 1);
-      return scaled(upper_left + lower_left + upper_right + lower_right, 0.25f);
+      return divided(upper_left + lower_left + upper_right + lower_right, 4);
     }
-    return scaled(a + b + c + e, 0.25f);
+    return divided(a + c + b + e, 4);
   }
 
   const PixelSampler& sampler_;
@@ -365,7 +366,7 @@ void render_block_grid(const PixelSampler& sampler, const RenderOptions& options
           sum = sum + sampler.sample(sx, sy, statistics);
         }
       }
-      framebuffer.at(x, y) = scaled(sum, 1.0f / static_cast<float>(n * n));
+      framebuffer.at(x, y) = divided(sum, static_cast<float>(n * n));
     }
   }
 }

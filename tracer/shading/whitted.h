@@ -115,9 +115,10 @@ class WhittedIntegrator : public Integrator {
                     const TextureLayer& top_layer, const Vec3& top_normal, double ratio,
                     double dispersion, int samples, RayCounts& counts) const;
 
-  // What all lights together may leave out of a hit, in codes of the picture: less than a twentieth
-  // after the sRGB curve, also in the dark, where it is steepest.
-  static constexpr float kLeastSeen = 1.0f / 256;
+  // What all lights together may leave out of a hit, in codes of the picture: less than 1/5,000 after the
+  // sRGB curve, also in the dark, where it is steepest. 1/256 showed: codes amid two fell to the other
+  // side, and pixels just over the threshold of antialiasing were left alone.
+  static constexpr float kLeastSeen = 1.0f / (1 << 16);
 
   const ShadingScene& scene_;
   DirectLight direct_light_;
