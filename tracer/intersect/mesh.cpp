@@ -130,6 +130,7 @@ class Mesh final : public Shape {
   }
 
   bool is_patch() const override { return !is_solid_; }
+  bool ends_at_nearest_hit() const override { return true; }
   // Without inside_vector `inverse` turns the normals over and nothing else (measured on povray 3.7).
   bool takes_inverse_mark() const override { return true; }
   bool inside_inverted(const Vec3& point) const override { return is_solid_ && !inside(point); }

@@ -74,11 +74,11 @@ class AreaMean {
 
 // Not built into its caller: what is known of a grid takes 12 KB of stack, and the callers call
 // themselves once for each bounce.
-[[gnu::noinline]] RGB DirectLight::area_shadow(int index, const Vec3& point, const TracedRay& ray,
+[[gnu::noinline]] RGB DirectLight::area_shadow(int index, const ShadowStart& start, const TracedRay& ray,
                                                const RGB& color, RayCounts& counts) const {
   const Light& light = scene_.lights[index];
   const LightNode& node = light.node();
-  const AreaLightGrid grid(light, point);
+  const AreaLightGrid grid(light, start.point);
   const int columns = node.size1, rows = node.size2;
   const uint32_t purpose = kPurposeAreaLight + 16 * static_cast<uint32_t>(index);
   KnownSamples known(columns * rows);
@@ -104,7 +104,7 @@ class AreaMean {
         looked = true;
       }
       seen[k] = color;
-      trace_shadow(index, point, samples.direction(k), ray, seen[k], counts);
+      trace_shadow(index, start, samples.direction(k), ray, seen[k], counts);
       known.keep(cell[k], seen[k]);
     }
   };

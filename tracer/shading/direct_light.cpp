@@ -7,9 +7,6 @@
 namespace durer {
 namespace {
 
-constexpr double kShadowTolerance = 1e-3;
-// World::closest_hit itself passes over the first 1e-4.
-constexpr double kShadowStart = kShadowTolerance - 1e-4;
 constexpr double kEpsilon = 1e-10;
 
 bool is_dark(const RGB& c, double limit = kEpsilon) {
@@ -98,7 +95,7 @@ bool stops_light(const ShadingScene& scene, const SurfacePoint& surface, const V
   return is_dark(surface_transmittance(scene, surface, direction, {}, 0));
 }
 
-void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ray,
+void DirectLight::apply_shadow(int index, const ShadowStart& start, const TracedRay& ray,
                                const LightDirection& to_light, RGB& color,
                                RayCounts& counts) const {
   const LightNode& node = scene_.lights[index].node();
@@ -108,9 +105,9 @@ void DirectLight::apply_shadow(int index, const Vec3& point, const TracedRay& ra
     return;
   }
   if (node.area && scene_.options.quality >= 5) {
-    color = area_shadow(index, point, ray, color, counts);
+    color = area_shadow(index, start, ray, color, counts);
   } else {
-    trace_shadow(index, point, to_light, ray, color, counts);
+    trace_shadow(index, start, to_light, ray, color, counts);
   }
 }
 
@@ -127,9 +124,10 @@ bool DirectLight::passes_projection(int index, const Vec3& point, const LightDir
   return true;
 }
 
-void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirection& to_light,
+void DirectLight::trace_shadow(int index, const ShadowStart& start, const LightDirection& to_light,
                                const TracedRay& ray, RGB& color, RayCounts& counts) const {
   ++counts.shadow;
+  const Vec3& point = start.point;
   const LightNode& light = scene_.lights[index].node();
   double margin = 0;
   if (light.projected_through && !passes_projection(index, point, to_light, margin)) {
@@ -138,7 +136,7 @@ void DirectLight::trace_shadow(int index, const Vec3& point, const LightDirectio
   }
   if (to_light.distance <= kShadowTolerance || light.shadowless) return;
   // Most shadow rays are stopped by something opaque or by nothing.
-  if (scene_.world->occluded_by_opaque(point, to_light.direction,
+  if (scene_.world->occluded_by_opaque(start, to_light.direction,
                                        to_light.distance - std::max(margin, kShadowTolerance),
                                        index)) {
     color = RGB(0.0f);
@@ -181,22 +179,10 @@ void DirectLight::filter_shadow(int index, const Vec3& point, const LightDirecti
   for (;;) {
     Hit hit;
     if (!world.closest_clear_hit(origin, to_light.direction, remaining - margin, hit)) break;
-    // Nothing nearer than the tolerance counts, at either end. What lies beyond something nearer is
-    // found from a point behind that; not in any case, since faces that coincide are told apart by
-    // the last bits of the ray.
-    Vec3 start = origin;
-    double skipped = 0;
-    if (hit.t <= kShadowTolerance) {
-      skipped = kShadowStart;
-      start += skipped * to_light.direction;
-      if (!world.closest_clear_hit(start, to_light.direction, remaining - margin - skipped, hit)) {
-        break;
-      }
-    }
-    const double depth = hit.t + skipped;
+    const double depth = hit.t;
     if (depth >= remaining - kShadowTolerance || remaining - depth <= margin) break;
     SurfacePoint surface;
-    world.surface_point(start, to_light.direction, hit, surface);
+    world.surface_point(origin, to_light.direction, hit, surface);
     color *= surface_transmittance(scene_, surface, to_light.direction, interiors, depth);
     if (is_dark(color)) {
       color = RGB(0.0f);

@@ -30,14 +30,14 @@ class DirectLight {
         per_sample ? 1 : light.attenuation(point, result.direction);
     result.color = node.color * static_cast<float>(attenuation);
   }
-  // Takes from `color` what lies between point and light; black: nothing arrives. `ray` is the ray
-  // that saw the point.
-  void apply_shadow(int light, const Vec3& point, const TracedRay& ray,
+  // Takes from `color` what lies between the start and the light; black: nothing arrives. `ray` is the
+  // ray that saw the point.
+  void apply_shadow(int light, const ShadowStart& start, const TracedRay& ray,
                     const LightDirection& to_light, RGB& color, RayCounts& counts) const;
 
  private:
   // Follows one shadow ray from the point to `center`; multiplies color.
-  void trace_shadow(int light, const Vec3& point, const LightDirection& to_light,
+  void trace_shadow(int light, const ShadowStart& start, const LightDirection& to_light,
                     const TracedRay& ray, RGB& color, RayCounts& counts) const;
   // The same past the opaque objects: through those that let light through, and fog.
   void filter_shadow(int light, const Vec3& point, const LightDirection& to_light, double margin,
@@ -45,7 +45,7 @@ class DirectLight {
   // The surface of a remembered solid, before its turn comes.
   void filter_remembered(const Vec3& point, const LightDirection& to_light, double margin,
                          const TracedRay& ray, RGB& color) const;
-  RGB area_shadow(int light, const Vec3& point, const TracedRay& ray, const RGB& color,
+  RGB area_shadow(int light, const ShadowStart& start, const TracedRay& ray, const RGB& color,
                   RayCounts& counts) const;
   bool passes_projection(int light, const Vec3& point, const LightDirection& to_light,
                          double& margin) const;

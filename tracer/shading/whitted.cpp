@@ -444,7 +444,8 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   if (remembers && hit.lights->knows(place)) {
     color = hit.lights->color(place);
   } else {
-    direct_light_.apply_shadow(index, point, ray, arriving.direction, color, counts);
+    const ShadowStart start{point, hit.context.normal, hit.depth, hit.surface.scene_object};
+    direct_light_.apply_shadow(index, start, ray, arriving.direction, color, counts);
     if (remembers) hit.lights->remember(place, color);
   }
   if (observer_) [[unlikely]] observer_->light_tested(ray, index, point, color);

@@ -53,6 +53,9 @@ class Lathe final : public Shape {
     }
   }
 
+  // The segments are tried one after the other, the one that is entered first first.
+  bool ends_at_nearest_hit() const override { return segments_.size() > 1; }
+
   // Odd number of crossings from the point outwards. An open profile counts as closed at the axis.
   bool inside(const Vec3& p) const override {
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);

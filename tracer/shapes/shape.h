@@ -148,6 +148,8 @@ class Shape {
   virtual bool is_quickly_missed() const { return false; }
   // No inside, not invertible (spec/geometry.md 13).
   virtual bool is_patch() const { return false; }
+  // Whether what lies behind its nearest hit is not there for who asks for all hits, but for CSG.
+  virtual bool ends_at_nearest_hit() const { return false; }
   // clipped_by only installs its box (spec/geometry.md 13.6).
   virtual bool ignores_clips() const { return false; }
   // `inverse` marks the object (spec/geometry.md 4.3).

@@ -40,6 +40,28 @@ bool slips_along_box(const TopLevelObject& object, const GeometryRay& ray) {
   return ray.direction.x == 0 && object.asks_box && !meets_box(object, ray);
 }
 
+// The nearest of a node's hits behind `least`, as far as POV-Ray lists them all. The node is not a copy.
+bool find_beyond(const Geometry& geometry, uint32_t index, const GeometryRay& ray, double least,
+                 HitStack& stack, ShapeHit& hit) {
+  const GeometryNode& node = geometry.nodes[index];
+  if (node.kind == NodeKind::shape && !node.csg_child && node.clips.count == 0 &&
+      node.shape->ends_at_nearest_hit()) {
+    return false;
+  }
+  const size_t base = stack.size();
+  geometry.all_hits(index, ray, {least, ray.t_max}, stack);
+  bool found = false;
+  for (size_t i = base; i < stack.size(); ++i) {
+    const ShapeHit& other = stack[i];
+    if (other.t > least && other.t < ray.t_max && !(found && other.t > hit.t)) {
+      hit = other;
+      found = true;
+    }
+  }
+  stack.shrink(base);
+  return found;
+}
+
 // The nearest hit among the objects of one list.
 struct ClosestSearch {
   ClosestSearch(const WorldData& world, const ObjectSet& objects, const SearchList& wanted,
@@ -62,6 +84,7 @@ struct ClosestSearch {
   int nearest = 0;
   int64_t top = -1;
   uint32_t instance = 0;
+  double least = 0;  // hits up to this depth do not count
 
   void run(const BvhBeam* beam = nullptr) {
     for (const SearchItem& item : list.infinite) test(item);
@@ -91,6 +114,8 @@ struct ClosestSearch {
     } else if (!meets_other(set.objects[item.object], candidate, copy)) {
       return;
     }
+    if (candidate.t <= least && !find_beyond(data.geometry, item.node, ray, least, stack, candidate)) [[unlikely]]
+      return;
     if (slips_along_box(set.objects[item.object], ray)) [[unlikely]]
       return;
     if (top >= 0 && candidate.t > best * (1 - kNearlySame) &&
@@ -133,6 +158,7 @@ struct ClosestSearch {
           &list == set.clear.get() ? inner_set.clear_casters() : inner_set.all;
       GeometryRay inner_ray = local_ray(instanced, ray);
       ClosestSearch inner(data, inner_set, inner_list, inner_ray, stack, ray.t_max);
+      inner.least = least;
       inner.run();
       if (inner.top < 0) return false;
       candidate = inner.hit();
@@ -152,7 +178,9 @@ struct OcclusionSearch {
   const ObjectSet& set;
   const GeometryRay& ray;
   HitStack& stack;
+  const ShadowStart* start;  // null: nothing up to kShadowTolerance counts
   bool blocked = false;
+  bool met_nearby = false;  // something that would count otherwise
   uint32_t blocker = HitStack::kNoOccluder;  // position in the list's finite ones
 
   // The object that stopped the ray before is asked first.
@@ -196,7 +224,34 @@ struct OcclusionSearch {
                          ? item.shape->closest(ray, stack, hit)
                          : closest_moved(*item.shape, data.geometry.transforms[item.transform], hit);
     stack.count_test(item.shape_kind, met);
-    return met && !slips_along_box(set.objects[item.object], ray);
+    return met && (hit.t > kShadowTolerance || blocks_beyond(item)) &&
+           !slips_along_box(set.objects[item.object], ray);
+  }
+
+  // Of what is met up to the tolerance.
+  [[gnu::noinline]] bool blocks_beyond(const SearchItem& item) {
+    ShapeHit hit;
+    return find_beyond(data.geometry, item.node, ray, kShadowTolerance, stack, hit) ||
+           counts_nearby(item);
+  }
+
+  // POV-Ray asks what stopped the light last before all others, and from 1e-4 on. That is taken to be
+  // the object itself, or what stops the light beside this point.
+  bool counts_nearby(const SearchItem& item) {
+    met_nearby = true;
+    if (!start) return false;
+    if (item.object == start->object) return true;
+    constexpr double kBeside = 0.003;  // some pixels
+    const Vec3& n = start->normal;
+    const Vec3 u = unit_or_zero(cross(n, std::abs(n.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+    const Vec3 v = cross(n, u);
+    for (const Vec3& side : {u, -u, v, -v}) {
+      GeometryRay moved(ray.origin + kBeside * start->distance * side, ray.direction, kShadowRay);
+      moved.t_max = ray.t_max;
+      OcclusionSearch beside{data, set, moved, stack, nullptr};
+      if (beside.blocks(item)) return true;
+    }
+    return false;
   }
 
   [[gnu::noinline]] bool other_blocks(const SearchItem& item) {
@@ -205,7 +260,8 @@ struct OcclusionSearch {
       const Instance& copy = data.instances[object.instance];
       GeometryRay inner_ray = local_ray(copy, ray);
       inner_ray.t_max = ray.t_max;
-      return OcclusionSearch{data, data.groups[copy.group]->set, inner_ray, stack}.run();
+      OcclusionSearch inner{data, data.groups[copy.group]->set, inner_ray, stack, nullptr};
+      return inner.run() || (inner.met_nearby && counts_nearby(item));
     }
     const GeometryNode& node = data.geometry.nodes[item.node];
     if (object.is_cut_off && item.node == object.node && !casts_whole_shadow(object, node) &&
@@ -215,6 +271,7 @@ struct OcclusionSearch {
     if (node.bounds.count && !data.geometry.passes_bounds(node, ray, stack)) return false;
     ShapeHit hit;
     if (!data.geometry.closest(item.node, ray, ray.t_max, stack, hit)) return false;
+    if (hit.t <= kShadowTolerance && !blocks_beyond(item)) return false;
     // Members of unions are asked by themselves (docs/decisions/0062-shadows-of-bound-unions.md).
     return item.node != object.node || node.kind == NodeKind::union_ ||
            !slips_along_box(object, ray);
@@ -249,6 +306,7 @@ Vec3 placed_hit(const WorldData& data, const GeometryNode& node, const Instance*
 bool found(const ClosestSearch& search, Hit& hit) {
   if (search.top < 0) return false;
   hit = as_hit(search.hit(), search.instance);
+  hit.object = static_cast<uint32_t>(search.top);
   return true;
 }
 
@@ -320,6 +378,7 @@ bool World::closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, do
   const ObjectSet& set = data.scene;
   GeometryRay ray(origin, unit_direction, kShadowRay);
   ClosestSearch search(data, set, set.clear_casters(), ray, scratch(), max_t);
+  search.least = kShadowTolerance;
   search.run();
   return found(search, hit);
 }
@@ -331,6 +390,7 @@ void World::surface_point(const Vec3& origin, const Vec3& unit_direction, const 
   const NodeAppearance& appearance = data.appearance[hit.item];
   const ShapeHit shape_hit{hit.t, hit.item, hit.part, hit.barycentric_u, hit.barycentric_v};
   out.object = &data.objects[node.object];
+  out.scene_object = hit.object;
   const Instance* instance = hit.instance ? &data.instances[hit.instance - 1] : nullptr;
   Vec3 local = origin + hit.t * unit_direction;
   if (node.places_hits) [[unlikely]] {
@@ -416,14 +476,14 @@ void World::Impl::add_shares(uint32_t index, const Vec3& point, SurfacePoint& ou
   }
 }
 
-bool World::occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
+bool World::occluded_by_opaque(const ShadowStart& start, const Vec3& unit_direction, double max_t,
                                int light) const {
   const WorldData& data = impl_->data;
-  GeometryRay ray(origin, unit_direction, kShadowRay);
+  GeometryRay ray(start.point, unit_direction, kShadowRay);
   ray.t_max = max_t;
   HitStack& stack = scratch();
   uint32_t& last = stack.last_occluder[static_cast<size_t>(light) % stack.last_occluder.size()];
-  return OcclusionSearch{data, data.scene, ray, stack}.run_with_hint(last);
+  return OcclusionSearch{data, data.scene, ray, stack, &start}.run_with_hint(last);
 }
 
 bool World::has_remembered_casters() const {

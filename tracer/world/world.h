@@ -33,6 +33,19 @@ struct Hit {
   uint32_t part = 0;     // side, triangle, component … of that item
   uint32_t instance = 0; // copy of a shared subtree; 0: none
   float barycentric_u = 0, barycentric_v = 0;
+  uint32_t object = kNoObject;  // position at scene level
+  static constexpr uint32_t kNoObject = 0xffffffffu;
+};
+
+// Shadow rays pass over what they meet up to this depth (spec/shading.md 10).
+inline constexpr double kShadowTolerance = 1e-3;
+
+// Where shadow rays begin.
+struct ShadowStart {
+  Vec3 point;
+  Vec3 normal;      // of the surface, unit
+  double distance;  // from where it is seen: how far apart the pixels beside it lie
+  uint32_t object;  // that the surface belongs to, as Hit::object
 };
 
 inline constexpr uint32_t kNoTexture = 0xffffffffu;
@@ -104,6 +117,7 @@ struct SurfacePoint {
   Vec3 normal;        // unit, raw orientation of the shape incl. its inverse mark (geometry.md 7)
   Vec2 uv{0};
   const WorldObject* object = nullptr;
+  uint32_t scene_object = Hit::kNoObject;  // as Hit::object
   // The textures that share the surface, interior texture already chosen: one for most, several for
   // meshes with texture_list, blobs, cutaway_textures; none: black.
   int share_count = 0;
@@ -162,15 +176,16 @@ class World {
   bool make_beam(const Ray* rays, int count, double max_t, BvhBeam& beam) const;
   void surface_point(const Vec3& origin, const Vec3& unit_direction, const Hit& hit,
                      SurfacePoint& out) const;
-  // True if an object whose textures are all opaque and which casts shadows lies at t < max_t, not
-  // nearer than any hit may be.
+  // True if an object whose textures are all opaque and which casts shadows lies at
+  // kShadowTolerance < t < max_t; also at t >= 1e-4, where POV-Ray has it in mind (decision 0042).
   // Objects that let light through: closest_clear_hit.
   // `light`: a hint, rays towards one light are often stopped by one object.
-  bool occluded_by_opaque(const Vec3& origin, const Vec3& unit_direction, double max_t,
+  bool occluded_by_opaque(const ShadowStart& start, const Vec3& unit_direction, double max_t,
                           int light) const;
   // Whether any object that casts shadows is left out above.
   bool has_clear_casters() const;
-  // The nearest hit, 1e-4 <= t < max_t, of a shadow ray with the objects that are left out above.
+  // The nearest hit, kShadowTolerance < t < max_t, of a shadow ray with the objects that are left out
+  // above.
   bool closest_clear_hit(const Vec3& origin, const Vec3& unit_direction, double max_t,
                          Hit& hit) const;
   // Solids with clear parts that POV-Ray takes for what stopped the light last (decision 0069), and
