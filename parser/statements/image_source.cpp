@@ -120,7 +120,10 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser, ImageUse use) {
     parser.error("a pot file gives heights, only a height_field can read it");
   }
   source->path = parser.find_image(name, source->type);
-  if (source->path.empty()) parser.error("the image '" + name + "' is not found");
+  if (source->path.empty()) {
+    parser.at_expression();  // POV-Ray looks for the file when it has read the next word: its line counts
+    parser.error("the image '" + name + "' is not found");
+  }
   for (;;) {
     if (parser.accept(Keyword::gamma)) {
       if (parser.accept(Keyword::srgb)) {
@@ -141,13 +144,17 @@ std::shared_ptr<ImageSource> parse_image_file(Parser& parser, ImageUse use) {
 
 std::shared_ptr<const ImageSource> parse_image_options(Parser& parser, PatternKind kind,
                                                        float* bump_size) {
-  // The old syntax gave the plane of the image here; it has no effect any more.
+  const bool pigment = kind == PatternKind::image_map;
+  // The old syntax gave the map type and the plane of the image here; neither has an effect any more.
+  if (!parser.at(Keyword::function) && !parser.at(Symbol::less) && parser.at_expression()) {
+    parser.warning("a map type in front of the image has no effect any more; map_type behind it has");
+    parser.parse_float();
+  }
   if (parser.at(Symbol::less)) {
     parser.warning("the plane of an image has no effect any more");
     parser.parse_vector();
   }
   const auto source = parse_image_file(parser, ImageUse::pattern);
-  const bool pigment = kind == PatternKind::image_map;
   for (;;) {
     if (parser.accept(Keyword::map_type)) {
       source->map_type = parse_map_type(parser, pigment);

@@ -93,13 +93,24 @@ class TextureReader {
   // Before language 3.0 there were no texture_maps yet, and words of all parts could stand here.
   TexturePtr read_with_loose_items(bool any) {
     LooseTextureItems loose(parser_, *texture_);
-    while (accept_part() || accept_transform() || loose.accept(texture_)) any = true;
+    while (accept_part() || accept_transform() || loose.accept(texture_) || accept_replacement()) {
+      any = true;
+    }
     if (!any && parser_.at_any({Keyword::tiles, Keyword::material_map})) {
       read_patterned();
     } else {
       loose.finish(*texture_);
     }
     return texture_;
+  }
+
+  // `texture { 0.05 Wood ... }`: the grain came first; nothing of it is left.
+  bool accept_replacement() {
+    auto named = parser_.accept_identifier<TextureNode>(ValueKind::texture);
+    if (!named || named->kind != TextureNode::Kind::plain) return false;
+    parser_.warning("this texture takes the place of what stands before it");
+    texture_ = std::move(named);
+    return true;
   }
 
   TextureNode& edit() {
