@@ -26,6 +26,12 @@ struct RGB {
     red *= s, green *= s, blue *= s;
     return *this;
   }
+  // Rounded once, after the product.
+  RGB times(double s) const {
+    return {static_cast<float>(static_cast<double>(red) * s),
+            static_cast<float>(static_cast<double>(green) * s),
+            static_cast<float>(static_cast<double>(blue) * s)};
+  }
   friend RGB operator+(RGB a, const RGB& b) { return a += b; }
   friend RGB operator-(RGB a, const RGB& b) { return a -= b; }
   friend RGB operator*(RGB a, const RGB& b) { return a *= b; }

@@ -25,8 +25,9 @@ RGB texture_transmittance(const ShadingScene& scene, const CompiledTexture& text
     frames.enter(texture.selector->frame);
     RGB sum(0.0f);
     for (int i = 0; i < count; ++i) {
-      sum += children[i].weight * texture_transmittance(scene, *children[i].texture, child_point,
-                                                        context, caustics, frames);
+      sum += texture_transmittance(scene, *children[i].texture, child_point, context, caustics,
+                                   frames)
+                 .times(children[i].weight);
     }
     return sum;
   }

@@ -28,7 +28,7 @@ class DirectLight {
         node.area_illumination && node.area && scene_.options.quality >= 5;
     const double attenuation =
         per_sample ? 1 : light.attenuation(point, result.direction);
-    result.color = node.color * static_cast<float>(attenuation);
+    result.color = node.color.times(attenuation);
   }
   // Takes from `color` what lies between the start and the light; black: nothing arrives. `ray` is the
   // ray that saw the point.

@@ -18,8 +18,8 @@ Reflectivity reflectivity(const FinishNode& finish, double cosine, double relati
       const double g = std::sqrt(s);
       const double a = (g - k) / (g + k);
       const double b = (k * (g + k) - 1) / (k * (g - k) + 1);
-      const float f = static_cast<float>(std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0));
-      result.color = f * high + (1 - f) * low;
+      const double f = std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0);
+      result.color = high.times(f) + low.times(1 - f);
     } else {
       result.color = high;
     }
@@ -34,8 +34,7 @@ Reflectivity reflectivity(const FinishNode& finish, double cosine, double relati
     } else if (std::abs(grazing - 1) < kEpsilon) {
       result.color = high;
     } else {
-      const float f = static_cast<float>(grazing);
-      result.color = f * high + (1 - f) * low;
+      result.color = high.times(grazing) + low.times(1 - grazing);
     }
     result.weight = std::max(low.max_component(), high.max_component());
   }

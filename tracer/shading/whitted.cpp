@@ -134,8 +134,8 @@ void WhittedIntegrator::shade_texture(const TracedRay& ray, const SurfaceHit& hi
       float child_transmit = 0;
       shade_texture(ray, hit, *children[i].texture, child_point, frames, counts, child_color,
                     child_transmit);
-      color += children[i].weight * child_color;
-      transmit += children[i].weight * child_transmit;
+      color += child_color.times(children[i].weight);
+      transmit += static_cast<float>(children[i].weight) * child_transmit;
     }
     return;
   }
@@ -285,11 +285,23 @@ RGB WhittedIntegrator::shade_layer(const TracedRay& ray, const SurfaceHit& hit,
 
 namespace {
 
-// Diffuse, phong, specular of one direction of light (8.3, 8.4), without the light's colour:
-// `diffuse` multiplies the pigment, `highlight` the metallic tint.
+// Diffuse, phong, specular of one direction of light (8.3, 8.4): `diffuse` multiplies the pigment, the
+// others the metallic tint.
 struct LobeShares {
-  float diffuse = 0;
-  float highlight = 0;
+  double diffuse = 0, phong = 0, specular = 0;
+
+  // What highlights are tinted by, where there are any.
+  RGB tint(const FinishNode& finish, double cosine, const RGB& pigment) const {
+    if (finish.metallic <= 0 || (phong == 0 && specular == 0)) return RGB(1.0f);
+    return metallic_tint(finish.metallic, cosine, pigment);
+  }
+  // Of this light; in the order of POV-Ray's last digits (decision 0071).
+  RGB of(const RGB& light, const RGB& pigment, const RGB& tint) const {
+    RGB sum = pigment.times(diffuse) * light;
+    if (phong != 0) sum += (light * tint).times(phong);
+    if (specular != 0) sum += (light * tint).times(specular);
+    return sum;
+  }
 };
 
 [[gnu::always_inline]] inline LobeShares lobe_shares(const TextureLayer& layer,
@@ -301,14 +313,13 @@ struct LobeShares {
   if (diffuse > 0) {
     double cosine = std::abs(dot(normal, to_light));
     if (finish.brilliance != 1) cosine = power(cosine, static_cast<double>(finish.brilliance));
-    shares.diffuse = static_cast<float>(cosine * diffuse * opacity);
+    shares.diffuse = cosine * diffuse * opacity;
   }
   if (!highlights) return shares;
   if (finish.phong > 0) {
     const double p = dot(mirrored(ray_direction, normal), to_light);
     if (p > layer.dark_phong_cosine && (finish.phong_size < 60 || p > 0.0008)) {
-      shares.highlight +=
-          static_cast<float>(finish.phong * power(p, static_cast<double>(finish.phong_size)));
+      shares.phong = finish.phong * power(p, static_cast<double>(finish.phong_size));
     }
   }
   if (finish.specular > 0) {
@@ -317,8 +328,8 @@ struct LobeShares {
     const double squared = dot(half, half);
     if (along_normal > 0 && along_normal * along_normal > dark * dark * squared) {
       const double q = along_normal / std::sqrt(squared);
-      shares.highlight += static_cast<float>(
-          finish.specular * power(q, static_cast<double>(layer.highlight_exponent)));
+      shares.specular =
+          finish.specular * power(q, static_cast<double>(layer.highlight_exponent));
     }
   }
   return shares;
@@ -358,13 +369,8 @@ class WhittedIntegrator::PhotonLobes final : public PhotonVisitor {
     const LobeShares shares =
         lobe_shares(layer_, ray_direction_, normal_, towards_source,
                     from_behind ? finish.diffuse_back : finish.diffuse, opacity_, !from_behind);
-    sum += shares.diffuse * pigment_ * radiance;
-    if (shares.highlight == 0) return;
-    RGB shine = shares.highlight * radiance;
-    if (finish.metallic > 0) {
-      shine *= metallic_tint(finish.metallic, dot(normal_, towards_source), pigment_);
-    }
-    sum += shine;
+    sum += shares.of(radiance, pigment_,
+                     shares.tint(finish, dot(normal_, towards_source), pigment_));
   }
 
   RGB sum{0.0f};
@@ -409,30 +415,26 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
   }
   const RGB base = pigment.rgb();
   const bool may_shine = !node.shadowless && !ray.kind.radiosity;
-  // The share of the light from one direction that goes along the ray.
-  const auto reflected_share = [&](const Vec3& to_light, bool from_behind, uint32_t draw) {
+  // What of the light from one direction goes along the ray.
+  const auto shares_of = [&](const Vec3& to_light, bool from_behind, uint32_t draw) {
     const float diffuse = from_behind ? finish.diffuse_back : finish.diffuse;
     LobeShares shares = lobe_shares(layer, ray.direction, normal, to_light, diffuse, opacity,
                                     may_shine && !from_behind);
     if (finish.crand > 0 && diffuse > 0) [[unlikely]] {
       const uint32_t purpose = kPurposeCrand + 16 * static_cast<uint32_t>(index);
-      shares.diffuse -= finish.crand * static_cast<float>(path_random(ray.path, purpose, draw));
+      shares.diffuse -= static_cast<double>(finish.crand) * path_random(ray.path, purpose, draw);
     }
-    RGB share = shares.diffuse * base;
-    if (shares.highlight != 0) {
-      share += finish.metallic > 0
-                   ? shares.highlight * metallic_tint(finish.metallic, dot(normal, to_light), base)
-                   : RGB(shares.highlight);
-    }
-    return share;
+    return shares;
   };
   const bool from_each_sample =
       node.area_illumination && node.area && scene_.options.quality >= 5;
-  RGB share(0.0f);
+  LobeShares shares;
+  RGB tint;
   if (!from_each_sample) {
-    share = reflected_share(arriving.direction.direction, backside, 0);
+    shares = shares_of(arriving.direction.direction, backside, 0);
+    tint = shares.tint(finish, dot(normal, arriving.direction.direction), base);
     // What could not be seen needs no shadow ray (performance.md 2.6).
-    const RGB seen = share * arriving.color;
+    const RGB seen = shares.of(arriving.color, base, tint);
     if (!observer_ && finish.irid.amount == 0 &&
         ray.weight * std::max({std::abs(seen.red), std::abs(seen.green), std::abs(seen.blue)}) <
             least_seen_light_) {
@@ -457,7 +459,6 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
     const AreaLightGrid grid(light, point);
     const uint32_t purpose = kPurposeAreaIllumination + 16 * static_cast<uint32_t>(index);
     const int cells = node.size1 * node.size2;
-    const RGB part = color * (1.0f / static_cast<float>(cells));
     for (int first = 0; first < cells; first += AreaSamples::kCount) {
       AreaSamples samples;
       for (int k = 0; k < AreaSamples::kCount; ++k) {
@@ -470,18 +471,20 @@ RGB WhittedIntegrator::light_contribution(const TracedRay& ray, const SurfaceHit
       look_at_samples(grid, samples);
       for (int k = 0; k < std::min(AreaSamples::kCount, cells - first); ++k) {
         const LightDirection to_sample = samples.direction(k);
-        const float attenuation = static_cast<float>(light.attenuation(point, to_sample));
+        const RGB part = color.times(light.attenuation(point, to_sample) / cells);
         bool behind = false;
         if (!hit.surface.object->double_illuminate && dot(normal, to_sample.direction) < kEpsilon) {
           if (finish.diffuse_back == 0) continue;
           behind = true;
         }
-        sum += reflected_share(to_sample.direction, behind, static_cast<uint32_t>(first + k)) *
-               (part * attenuation);
+        const LobeShares own_shares =
+            shares_of(to_sample.direction, behind, static_cast<uint32_t>(first + k));
+        sum += own_shares.of(
+            part, base, own_shares.tint(finish, dot(normal, to_sample.direction), base));
       }
     }
   } else {
-    sum = share * color;
+    sum = shares.of(color, base, tint);
   }
 
   if (finish.irid.amount > 0) {

@@ -37,9 +37,9 @@ class MapSelector : public TextureSelector {
     // The upper entry is shaded first: what it encloses still counts for the lower one (14.6).
     int count = 0;
     if (place.lower != place.upper) {
-      out[count++] = {entries_[place.upper].item.get(), static_cast<float>(place.share)};
+      out[count++] = {entries_[place.upper].item.get(), place.share};
     }
-    out[count] = {entries_[place.lower].item.get(), static_cast<float>(1 - place.share)};
+    out[count] = {entries_[place.lower].item.get(), 1 - place.share};
     return count + 1;
   }
 

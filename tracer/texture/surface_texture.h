@@ -62,7 +62,7 @@ struct CompiledTexture;
 // A texture and its share of the surface.
 struct WeightedTexture {
   const CompiledTexture* texture;
-  float weight;
+  double weight;
 };
 
 // Chooses among textures by place: texture_map, tiles, average, material_map, uv_mapping.
