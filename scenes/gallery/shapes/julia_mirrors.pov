@@ -1,4 +1,4 @@
-// A Julia set that mirrors itself after 50 steps of its map: orbits blow up the last digits of where
+// A Julia set that mirrors itself after 40 steps of its map: orbits blow up the last digits of where
 // a reflected ray begins.
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -8,8 +8,8 @@ background { rgb <0.8, 0.9, 1> }
 julia_fractal {
   <-0.08, 0, -0.83, -0.025>
   quaternion sqr
-  max_iteration 50
-  precision 200
+  max_iteration 40
+  precision 40
   slice <0, 0, 0, 1>, 0.1
   pigment { rgb <1, 0.9, 0.7> }
   finish { reflection 0.3 }
