@@ -74,8 +74,9 @@ class AreaMean {
 
 // Not built into its caller: what is known of a grid takes 12 KB of stack, and the callers call
 // themselves once for each bounce.
-[[gnu::noinline]] RGB DirectLight::area_shadow(int index, const ShadowStart& start, const TracedRay& ray,
-                                               const RGB& color, RayCounts& counts) const {
+[[gnu::noinline]] RGB DirectLight::area_shadow(int index, const ShadowStart& start,
+                                               const TracedRay& ray, const RGB& color,
+                                               RayCounts& counts) const {
   const Light& light = scene_.lights[index];
   const LightNode& node = light.node();
   const AreaLightGrid grid(light, start.point);

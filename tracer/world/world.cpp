@@ -114,7 +114,8 @@ struct ClosestSearch {
     } else if (!meets_other(set.objects[item.object], candidate, copy)) {
       return;
     }
-    if (candidate.t <= least && !find_beyond(data.geometry, item.node, ray, least, stack, candidate)) [[unlikely]]
+    if (candidate.t <= least && !find_beyond(data.geometry, item.node, ray, least, stack,
+                                             candidate)) [[unlikely]]
       return;
     if (slips_along_box(set.objects[item.object], ray)) [[unlikely]]
       return;
