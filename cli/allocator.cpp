@@ -16,6 +16,10 @@ constexpr size_t kLongestFilled = size_t{4} << 20;
 
 extent_hooks_t hooks;
 extent_alloc_t* take_from_system = nullptr;
+extent_commit_t* commit_in_system = nullptr;
+// Where the kernel promises no more memory than it has (vm.overcommit_memory = 2), pieces cannot be used
+// before they are committed.
+bool needs_commit = false;
 
 void* take_uncommitted(extent_hooks_t* by, void* address, size_t size, size_t alignment, bool* zero,
                        bool* commit, unsigned arena) {
@@ -24,8 +28,11 @@ void* take_uncommitted(extent_hooks_t* by, void* address, size_t size, size_t al
   return piece;
 }
 
-// A hint: where the kernel knows none such, pages come as they are touched.
-bool commit_pages(extent_hooks_t*, void* piece, size_t, size_t offset, size_t length, unsigned) {
+// True: there is no such memory. Asking for its pages is a hint: where the kernel knows none such, they
+// come as they are touched.
+bool commit_pages(extent_hooks_t* by, void* piece, size_t size, size_t offset, size_t length,
+                  unsigned arena) {
+  if (needs_commit && commit_in_system(by, piece, size, offset, length, arena)) return true;
   if (length <= kLongestFilled) {
     madvise(static_cast<char*>(piece) + offset, length, MADV_POPULATE_WRITE);
   }
@@ -38,6 +45,14 @@ const bool kIsSetUp = [] {
   if (mallctl("arena.0.extent_hooks", &in_use, &size, nullptr, 0) != 0) return false;
   hooks = *in_use;
   take_from_system = hooks.alloc;
+  commit_in_system = hooks.commit;
+  constexpr size_t kPage = 4096;
+  bool is_zero = false, is_committed = false;
+  void* const page =
+      take_from_system(in_use, nullptr, kPage, kPage, &is_zero, &is_committed, 0);
+  if (!page) return false;
+  munmap(page, kPage);
+  needs_commit = !is_committed;
   hooks.alloc = take_uncommitted;
   hooks.commit = commit_pages;
   in_use = &hooks;

@@ -107,7 +107,10 @@ class TextureReader {
   // `texture { 0.05 Wood ... }`: the grain came first; nothing of it is left.
   bool accept_replacement() {
     auto named = parser_.accept_identifier<TextureNode>(ValueKind::texture);
-    if (!named || named->kind != TextureNode::Kind::plain) return false;
+    if (!named) return false;
+    if (named->kind != TextureNode::Kind::plain) {
+      parser_.error("nothing can stand before the name of a texture with a pattern");
+    }
     parser_.warning("this texture takes the place of what stands before it");
     texture_ = std::move(named);
     return true;
