@@ -5,6 +5,7 @@
 
 #include "tracer/intersect/bvh_walk.h"
 #include "tracer/intersect/convex_sweep.h"
+#include "tracer/intersect/merge_spans.h"
 
 namespace durer {
 namespace {
@@ -233,6 +234,46 @@ bool Geometry::member_hits(const GeometryNode& node, uint32_t child, const Geome
   return true;
 }
 
+// The members' hits, and whose they are.
+struct Geometry::GatheredHits {
+  static constexpr size_t kMost = 128;
+  uint32_t member[kMost];
+  MergeSpans spans;  // of a merge
+};
+
+Geometry::Gathering Geometry::gather_hits(const GeometryNode& node, const GeometryRay& ray,
+                                          Interval& interval, HitStack& stack,
+                                          GatheredHits& gathered) const {
+  const size_t base = stack.size();
+  Gathering result = Gathering::whole;
+  for_each_child_met(node, ray, interval, [&](uint32_t child) {
+    const size_t first = stack.size();
+    if (!member_hits(node, child, ray, interval, stack)) {
+      result = Gathering::missed;
+    } else if (stack.size() - base > GatheredHits::kMost) {
+      result = Gathering::overflowed;
+    } else {
+      std::fill(gathered.member + (first - base), gathered.member + (stack.size() - base), child);
+      if (node.kind == NodeKind::merge) note_span(child, ray, stack, first, gathered.spans);
+    }
+    return result == Gathering::whole;
+  });
+  return result;
+}
+
+// Notes where a convex member of a merge holds the ray; its hits are the stack's from `first` on.
+void Geometry::note_span(uint32_t child, const GeometryRay& ray, const HitStack& stack, size_t first,
+                         MergeSpans& spans) const {
+  const size_t count = stack.size() - first;
+  if (!nodes[child].narrows || count == 0 || count > 2) return;
+  const double one = stack[first].t, other = stack[stack.size() - 1].t;
+  if (count == 2) {
+    spans.add(std::min(one, other), std::max(one, other), child);
+  } else if (inside_unclipped(child, ray.origin)) {
+    spans.add(0, one, child);
+  }
+}
+
 void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& wanted,
                         HitStack& stack) const {
   const GeometryNode& node = nodes[index];
@@ -258,6 +299,23 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& 
       return true;
     });
     return;
+  }
+  if (node.kind == NodeKind::merge) {
+    GatheredHits gathered;
+    if (gather_hits(node, ray, interval, stack, gathered) == Gathering::whole) {
+      size_t kept = start;
+      for (size_t i = start; i < stack.size(); ++i) {
+        const uint32_t child = gathered.member[i - start];
+        const double t = stack[i].t;
+        if (gathered.spans.covered_from(t, child) == 0 &&
+            keeps_hit(node, child, ray.origin + t * ray.direction, ray.kind)) {
+          stack[kept++] = stack[i];
+        }
+      }
+      stack.shrink(kept);
+      return;
+    }
+    stack.shrink(start);
   }
   for_each_child_met(node, ray, interval, [&](uint32_t child) {
     const size_t base = stack.size();
@@ -316,8 +374,6 @@ bool Geometry::closest_of_union(const GeometryNode& node, const GeometryRay& ray
 // All members' hits are gathered first; then the nearest that the others let stand is looked for.
 bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay& ray,
                                     double t_max, HitStack& stack, ShapeHit& hit) const {
-  constexpr size_t kMost = 64;
-  uint32_t member[kMost];
   Interval interval{kLeastHitDepth, t_max};
   // Of one intersection each solid's own box says as much.
   if (node.is_boxed && !node.is_flat && !meets(node.reach, ray, interval)) return false;
@@ -328,27 +384,21 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
   }
   if (node.is_boxed && node.is_flat && !meets(node.reach, ray, interval)) return false;
   const size_t base = stack.size();
-  bool missed = false, overflowed = false;
-  for_each_child_met(node, ray, interval, [&](uint32_t child) {
-    const size_t first = stack.size() - base;
-    missed = !member_hits(node, child, ray, interval, stack);
-    const size_t last = stack.size() - base;
-    overflowed = last > kMost;
-    if (missed || overflowed) return false;
-    for (size_t i = first; i < last; ++i) member[i] = child;
-    return true;
-  });
+  GatheredHits gathered;
+  const Gathering gathering = gather_hits(node, ray, interval, stack, gathered);
+  const bool overflowed = gathering == Gathering::overflowed;
   if (overflowed) {
     stack.shrink(base);
     all_hits(static_cast<uint32_t>(&node - nodes.data()), ray, {kLeastHitDepth, t_max}, stack);
   }
   bool found = false;
-  while (!missed && !found) {
+  double from = interval.min;
+  while (gathering != Gathering::missed && !found) {
     // Of equal depths the one pushed last wins.
     double best = t_max;
     size_t chosen = 0;
     for (size_t i = stack.size(); i-- > base;) {
-      if (stack[i].t < best && stack[i].t >= interval.min) {
+      if (stack[i].t < best && stack[i].t >= from) {
         best = stack[i].t;
         chosen = i;
         found = true;
@@ -356,9 +406,12 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
     }
     if (!found) break;
     hit = stack[chosen];
-    found = overflowed || keeps_hit(node, member[chosen - base], ray.origin + best * ray.direction,
-                                    ray.kind);
     stack[chosen].t = kHugeDepth;
+    if (overflowed) break;
+    const uint32_t child = gathered.member[chosen - base];
+    const double covered = gathered.spans.covered_from(best, child);
+    from = std::max(from, covered);
+    found = covered == 0 && keeps_hit(node, child, ray.origin + best * ray.direction, ray.kind);
   }
   stack.shrink(base);
   return found;

@@ -99,6 +99,8 @@ void move_ray(const Transform& transform, const BvhRay& ray, ShapeRay& local);
   return local;
 }
 
+class MergeSpans;
+
 class Geometry {
  public:
   std::vector<GeometryNode> nodes;
@@ -161,6 +163,12 @@ class Geometry {
                             HitStack& stack, ShapeHit& hit) const;
   bool member_hits(const GeometryNode& node, uint32_t child, const GeometryRay& ray,
                    Interval& interval, HitStack& stack) const;
+  struct GatheredHits;
+  enum class Gathering : uint8_t { whole, missed, overflowed };
+  Gathering gather_hits(const GeometryNode& node, const GeometryRay& ray, Interval& interval,
+                        HitStack& stack, GatheredHits& gathered) const;
+  void note_span(uint32_t child, const GeometryRay& ray, const HitStack& stack, size_t first,
+                 MergeSpans& spans) const;
   template <typename Visit>
   void for_each_child_met(const GeometryNode& node, const GeometryRay& ray,
                           const Interval& interval, Visit&& visit) const;
