@@ -7,6 +7,7 @@
 
 #include "tracer/intersect/bvh_build.h"
 #include "tracer/intersect/bvh_walk.h"
+#include "tracer/system/pages_ahead.h"
 
 namespace durer {
 namespace {
@@ -46,14 +47,19 @@ void Bvh::build(size_t count, const Bounds& bounds,
   const Vec3 half = 0.5 * bounds_.size();
   const double margin = kMargin * std::max({half.x, half.y, half.z}) + 1e-30;
   reach_ = {bounds_.min - Vec3(4 * margin), bounds_.max + Vec3(4 * margin)};
-  std::vector<BvhBuildItem> rounded(count);
+  std::vector<BvhBuildItem> rounded;
+  rounded.reserve(count);
+  PagesAhead pages;
   for (uint32_t i = 0; i < count; ++i) {
     const Bounds box = box_of(i);
-    rounded[i].item = i;
+    BvhBuildItem item;
+    item.item = i;
     for (int axis = 0; axis < 3; ++axis) {
-      rounded[i].low[axis] = round_down(box.min[axis] - center_[axis] - margin);
-      rounded[i].high[axis] = round_up(box.max[axis] - center_[axis] + margin);
+      item.low[axis] = round_down(box.min[axis] - center_[axis] - margin);
+      item.high[axis] = round_up(box.max[axis] - center_[axis] + margin);
     }
+    pages.before_push(rounded);
+    rounded.push_back(item);
   }
   nodes_.reserve(count / 4 + 1);
   build_bvh_nodes(rounded, nodes_, items_);

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tracer/system/pages_ahead.h"
+
 namespace durer {
 namespace {
 
@@ -90,6 +92,7 @@ class Builder {
 
   uint32_t build_node(const Range& whole) {
     const uint32_t index = static_cast<uint32_t>(nodes_.size());
+    pages_.before_push(nodes_);
     nodes_.emplace_back();
     Range range[8];
     const int count = divide(whole, range);
@@ -282,6 +285,7 @@ class Builder {
 
   std::vector<BvhBuildItem>& boxes_;
   std::vector<BvhNode>& nodes_;
+  PagesAhead pages_;  // of nodes_
 };
 
 }  // namespace

@@ -88,9 +88,9 @@ class UvSelector : public TextureSelector {
   std::shared_ptr<const CompiledTexture> inner_;
 };
 
-TextureLayer compile_layer(const TextureNode& node, const TextureSettings& settings) {
-  TextureLayer layer;
-  layer.pigment = compile_pigment(node.pigment ? *node.pigment : PigmentNode{}, settings);
+void compile_layer(const TextureNode& node, const TextureSettings& settings, TextureLayer& layer) {
+  static const PigmentNode black;
+  layer.pigment = compile_pigment(node.pigment ? *node.pigment : black, settings);
   if (node.normal && node.normal->pattern->kind != PatternKind::none && settings.quality >= 8) {
     layer.normal = compile_normal(*node.normal, settings);
     layer.normal_keeps_length = node.normal->no_bump_scale;
@@ -109,7 +109,6 @@ TextureLayer compile_layer(const TextureNode& node, const TextureSettings& setti
   };
   layer.dark_phong_cosine = dark_cosine(finish.phong, finish.phong_size);
   layer.dark_specular_cosine = dark_cosine(finish.specular, layer.highlight_exponent);
-  return layer;
 }
 
 }  // namespace
@@ -128,7 +127,7 @@ CompiledTexture compile_texture(const TextureNode& node, const TextureSettings& 
     case TextureNode::Kind::plain:
       // From the top layer down.
       for (const TextureNode* layer = &node; layer; layer = layer->below.get()) {
-        texture.layers.push_back(compile_layer(*layer, settings));
+        compile_layer(*layer, settings, texture.layers.emplace_back());
       }
       texture.is_opaque =
           std::any_of(texture.layers.begin(), texture.layers.end(),

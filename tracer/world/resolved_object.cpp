@@ -353,23 +353,34 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
   return result;
 }
 
+// Each returns what it has made where the caller wants it: ResolvedObject is large.
 ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
-  ResolvedObject result;
   const ShapeNode& node = *object.shape;
   if (const auto* csg = std::get_if<CsgNode>(&node)) return resolve_csg(*csg);
   if (const auto* text = std::get_if<Rare<TextNode>>(&node)) return resolve_text(*text);
   if (const auto* light = std::get_if<std::shared_ptr<const LightNode>>(&node)) {
-    result.kind = ResolvedObject::Kind::light;
-    result.light = *light;
-    if ((*light)->looks_like) {
-      result.children.push_back(resolve((*light)->looks_like));
-    result.children.back().expand();
-      result.children.back().no_shadow = true;
-      result.children.back().mark_as_csg_child();
-    }
-    result.no_shadow = true;
-    return result;
+    return resolve_light(*light);
   }
+  return resolve_primitive(object);
+}
+
+ResolvedObject ObjectResolver::resolve_light(const std::shared_ptr<const LightNode>& light) {
+  ResolvedObject result;
+  result.kind = ResolvedObject::Kind::light;
+  result.light = light;
+  if (light->looks_like) {
+    result.children.push_back(resolve(light->looks_like));
+    result.children.back().expand();
+    result.children.back().no_shadow = true;
+    result.children.back().mark_as_csg_child();
+  }
+  result.no_shadow = true;
+  return result;
+}
+
+ResolvedObject ObjectResolver::resolve_primitive(const ObjectNode& object) {
+  ResolvedObject result;
+  const ShapeNode& node = *object.shape;
   const PlacedShape placed = compiled(object);
   result.shape = placed.shape;
   result.written = &node;

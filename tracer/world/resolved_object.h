@@ -103,6 +103,8 @@ class ObjectResolver {
  private:
   ResolvedObject resolve_base(const ObjectNode& object);
   ResolvedObject resolve_shape(const ObjectNode& object);
+  ResolvedObject resolve_primitive(const ObjectNode& object);
+  ResolvedObject resolve_light(const std::shared_ptr<const LightNode>& light);
   PlacedShape compiled(const ObjectNode& object);
   ResolvedObject resolve_csg(const CsgNode& node);
   ResolvedObject resolve_text(const TextNode& node);

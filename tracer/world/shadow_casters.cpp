@@ -62,6 +62,12 @@ bool is_opaque_node(const WorldData& data, uint32_t index) {
 }
 
 void sort_shadow_casters(const WorldData& data, ObjectSet& set) {
+  std::vector<LooseMember> members;
+  for (uint32_t i = 0; i < set.objects.size(); ++i) {
+    const TopLevelObject& top = set.objects[i];
+    if (top.instance >= 0 || top.hidden & kShadowRay || !is_loose(data, top)) continue;
+    add_opaque_members(data, i, top.node, members);
+  }
   const auto casts = [&](uint32_t i, bool opaque) {
     const TopLevelObject& top = set.objects[i];
     if (top.hidden & kShadowRay) return false;
@@ -69,14 +75,10 @@ void sort_shadow_casters(const WorldData& data, ObjectSet& set) {
       const ObjectSet& inner = data.groups[data.instances[top.instance].group]->set;
       return !(opaque ? inner.opaque_casters() : inner.clear_casters()).is_empty();
     }
-    return is_opaque_node(data, top.node) == opaque && !(opaque && is_loose(data, top));
+    if (is_opaque_node(data, top.node) != opaque) return false;
+    // Loose opaque ones are there by their members.
+    return members.empty() || !opaque || !is_loose(data, top);
   };
-  std::vector<LooseMember> members;
-  for (uint32_t i = 0; i < set.objects.size(); ++i) {
-    const TopLevelObject& top = set.objects[i];
-    if (top.instance >= 0 || top.hidden & kShadowRay || !is_loose(data, top)) continue;
-    add_opaque_members(data, i, top.node, members);
-  }
   const auto list = [&](bool opaque, std::unique_ptr<SearchList>& casters) {
     casters.reset();
     const auto wanted = [&](uint32_t i) { return casts(i, opaque); };

@@ -62,6 +62,7 @@ bool needs_uv(const TextureNode& texture) {
 }  // namespace
 
 uint32_t TextureTable::add(const TextureNode& texture) {
+  pages_.before_push(textures_);
   textures_.push_back(compile_texture(texture, settings_));
   uses_uv_.push_back(needs_uv(texture));
   return static_cast<uint32_t>(textures_.size() - 1);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tracer/system/pages_ahead.h"
 #include "tracer/texture/surface_texture.h"
 #include "tracer/world/resolved_object.h"
 
@@ -33,6 +34,7 @@ class TextureTable {
   std::map<std::pair<const TextureNode*, Placement>, uint32_t> moved_;
   std::vector<TexturePtr> kept_;  // originals, so that their addresses stay theirs
   std::vector<bool> uses_uv_;
+  PagesAhead pages_;  // of textures_
 };
 
 }  // namespace durer

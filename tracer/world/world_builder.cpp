@@ -136,7 +136,9 @@ WorldBuilder::WorldBuilder(WorldData& data, const WorldOptions& options, Texture
 }
 
 uint32_t WorldBuilder::new_node() {
+  node_pages_.before_push(data_.geometry.nodes);
   data_.geometry.nodes.emplace_back();
+  appearance_pages_.before_push(data_.appearance);
   data_.appearance.emplace_back();
   return static_cast<uint32_t>(data_.geometry.nodes.size() - 1);
 }
@@ -146,6 +148,7 @@ void WorldBuilder::expect(size_t objects) {
   data_.appearance.reserve(objects);
   data_.objects.reserve(objects);
   data_.scene.objects.reserve(objects);
+  data_.textures.reserve(objects);
 }
 
 void WorldBuilder::add_top_level(ResolvedObject&& object) {
@@ -245,6 +248,7 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
         object.kind == ResolvedObject::Kind::light && visible ? object.children[0].box : box;
     const uint32_t node = emit(object, nullptr, -1, light_group, -1);
     if (visible && data_.geometry.nodes[node].kind != NodeKind::nothing) {
+      if (!group_) top_level_pages_.before_push(set_->objects);
       set_->objects.push_back({node, seen, hidden, -1});
     }
     return;
@@ -272,30 +276,31 @@ void WorldBuilder::inherit(ResolvedObject& object, const ResolvedObject* parent,
     object.texture = {default_texture_, {}};
   }
   // Interior: its own, the parent's, or a new one.
-  if (object.shared_interior >= 0 && !object.interior) {
-    interior = object.shared_interior;
-  } else if (object.interior || parent_interior < 0) {
-    WorldInterior fresh;
-    if (object.interior) {
-      fresh.node = object.interior_moved ? transformed(object.interior, object.interior_transform)
-                                         : object.interior;
-      // Without an ior there is no dispersion either.
-      if (fresh.node->ior != 0) {
-        fresh.ior = fresh.node->ior;
-        fresh.dispersion = fresh.node->dispersion;
-      }
-      fresh.dispersion_samples = fresh.node->dispersion_samples;
-      fresh.caustics = 45.0 * static_cast<double>(fresh.node->caustics);
-      fresh.refraction = fresh.node->refraction;
+  interior = object.interior ? -1
+             : object.shared_interior >= 0 ? object.shared_interior
+                                           : parent_interior;
+  WorldInterior said;
+  if (interior >= 0) {
+    said = data_.interiors[interior];
+  } else if (object.interior) {
+    said.node = object.interior_moved ? transformed(object.interior, object.interior_transform)
+                                      : object.interior;
+    // Without an ior there is no dispersion either.
+    if (said.node->ior != 0) {
+      said.ior = said.node->ior;
+      said.dispersion = said.node->dispersion;
     }
-    interior = data_.interiors.add(fresh);
-  } else {
-    interior = parent_interior;
+    said.dispersion_samples = said.node->dispersion_samples;
+    said.caustics = 45.0 * static_cast<double>(said.node->caustics);
+    said.refraction = said.node->refraction;
   }
-  WorldInterior said = data_.interiors[interior];
   said.hollow = object.hollow;
   if (object.texture) take_from_finish(said, *object.texture.texture);
-  data_.interiors.set(interior, said);
+  if (interior >= 0) {
+    data_.interiors.set(interior, said);
+  } else {
+    interior = data_.interiors.add(said);
+  }
 }
 
 uint32_t WorldBuilder::indirect_number(const ResolvedObject& object) {
@@ -312,6 +317,7 @@ uint32_t WorldBuilder::object_number(const WorldObject& object, const ResolvedOb
   for (size_t i = 0; i < 4 && i < count - first; ++i) {
     if (data_.objects[count - 1 - i] == object) return static_cast<uint32_t>(count - 1 - i);
   }
+  object_pages_.before_push(data_.objects);
   data_.objects.push_back(object);
   if (group_) {
     for (auto [list, texture] : {std::pair(&group_->textures, source.texture),
@@ -342,6 +348,7 @@ void WorldBuilder::fill_shape(uint32_t index, const ResolvedObject& object, bool
 }
 
 NodeRange WorldBuilder::emit_list(const std::vector<ResolvedObject>& list) {
+  if (list.empty()) return {};
   std::vector<uint32_t> nodes;
   for (const ResolvedObject& member : list) nodes.push_back(emit_bare(member, false));
   NodeRange range{static_cast<uint32_t>(data_.geometry.lists.size()),
@@ -596,7 +603,11 @@ void fill_search_list(const Geometry& geometry, const ObjectSet& set,
   for (const LooseMember& member : members) add(member);
   list.bvh.build(bounded.size(), whole, [&](uint32_t i) { return box_of(bounded[i]); });
   list.finite.reserve(bounded.size());
-  for (const uint32_t i : list.bvh.items()) list.finite.push_back(item_of(bounded[i]));
+  PagesAhead item_pages;
+  for (const uint32_t i : list.bvh.items()) {
+    item_pages.before_push(list.finite);
+    list.finite.push_back(item_of(bounded[i]));
+  }
   const auto is_quick = [](const SearchItem& item) {
     return item.shape && item.transform < 0 && item.shape->is_quickly_missed();
   };

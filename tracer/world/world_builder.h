@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracer/intersect/geometry.h"
+#include "tracer/system/pages_ahead.h"
 #include "tracer/world/resolved_object.h"
 #include "tracer/world/test_order.h"
 #include "tracer/world/texture_table.h"
@@ -178,6 +179,7 @@ class WorldBuilder {
   std::vector<std::shared_ptr<const ResolvedObject>> originals_;
   ObjectSet* set_;                // that top-level objects go to
   SharedGroup* group_ = nullptr;  // while its members are emitted
+  PagesAhead node_pages_, appearance_pages_, object_pages_, top_level_pages_;
 };
 
 }  // namespace durer
