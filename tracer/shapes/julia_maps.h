@@ -24,6 +24,11 @@ inline double dot_in_order(const Vec4& a, const Vec4& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
 
+// Summed as povray does.
+inline double quaternion_squared_size(const Vec4& z) {
+  return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
+}
+
 struct QuaternionSquare {
   using Number = Vec4;
   static constexpr bool kQuaternion = true, kMixesUpStart = false;
@@ -35,9 +40,7 @@ struct QuaternionSquare {
                 2 * z.x * z.w) +
            c;
   }
-  static double squared_size(const Vec4& z) {
-    return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
-  }
+  static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
   // The image of a tangent v at z, up to a factor.
   static Vec4 carry(const Vec4& z, const Vec4& v) {
     return {z.x * v.x - z.y * v.y - z.z * v.z - z.w * v.w, v.x * z.y + z.x * v.y,
@@ -55,9 +58,7 @@ struct QuaternionCube {
     const double x2 = z.x * z.x, d = z.y * z.y + z.z * z.z + z.w * z.w, factor = 3 * x2 - d;
     return Vec4(z.x * (x2 - 3 * d), z.y * factor, z.z * factor, z.w * factor) + c;
   }
-  static double squared_size(const Vec4& z) {
-    return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
-  }
+  static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
   static Vec4 carry(const Vec4& z, const Vec4& v) {
     const double t = 2 * (z.y * v.y + z.z * v.z + z.w * v.w);
     const double d = z.y * z.y + z.z * z.z + z.w * z.w;
