@@ -186,7 +186,8 @@ class Builder {
       split_exactly(left, right, axis);
       return;
     }
-    const Binning binning{least[axis], kBins / extents[axis], axis};
+    // A hair less, so that the last centre is in the last bin.
+    const Binning binning{least[axis], kBins * (1 - 1e-6f) / extents[axis], axis};
     const int left_bins =
         std::isfinite(binning.scale) ? find_best_split(whole, binning, left, right) : 0;
     if (left_bins == 0) {
@@ -198,12 +199,13 @@ class Builder {
     // Every item changes places with the first of the second part, which moves on where it belongs to
     // the first: processors cannot guess where.
     const float border = static_cast<float>(left_bins);
-    uint32_t first = whole.begin;
-    for (uint32_t i = whole.begin; i < whole.end; ++i) {
-      const ItemRows here(boxes_[i]), there(boxes_[first]);
-      const bool is_left = binning.place(boxes_[i]) < border;
-      there.store(boxes_[i]);
-      here.store(boxes_[first]);
+    BvhBuildItem* first = &boxes_[whole.begin];
+    BvhBuildItem* const end = first + whole.count();
+    for (BvhBuildItem* item = first; item < end; ++item) {
+      const ItemRows here(*item), there(*first);
+      const bool is_left = binning.place(*item) < border;
+      there.store(*item);
+      here.store(*first);
       first += is_left;
     }
   }
@@ -248,8 +250,9 @@ class Builder {
     Box box[kBins], centers[kBins];
     uint32_t count[kBins] = {};
     for (uint32_t i = range.begin; i < range.end; ++i) {
-      const int bin = std::clamp(static_cast<int>(binning.place(boxes_[i])), 0, kBins - 1);
-      const __m128 low = low_of(boxes_[i]), high = high_of(boxes_[i]), sum = _mm_add_ps(low, high);
+      const BvhBuildItem& item = boxes_[i];
+      const int bin = static_cast<int>(binning.place(item));
+      const __m128 low = low_of(item), high = high_of(item), sum = _mm_add_ps(low, high);
       box[bin].extend(low, high);
       centers[bin].extend(sum, sum);
       ++count[bin];
