@@ -1,5 +1,6 @@
 #include "parser/world_queries.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "parser/parser.h"
@@ -7,6 +8,7 @@
 #include "tracer/patterns/noise.h"
 #include "tracer/scene/object.h"
 #include "tracer/scene/texture.h"
+#include "tracer/world/compiled_shapes.h"
 #include "tracer/world/world.h"
 
 namespace durer {
@@ -39,21 +41,24 @@ class WorldQueries : public SceneQueries {
  private:
   // An object is compiled once, however often it is asked about (design.md rule 6).
   const ObjectQuery& compiled(const ObjectPtr& object) {
-    Compiled& entry = compiled_[object.get()];
-    if (!entry.query) {
-      entry.object = object;
-      entry.query = ObjectQuery::build(object, parser_.effective_version());
+    std::shared_ptr<const ObjectQuery>& query = compiled_[object];
+    if (!query) {
+      query = ObjectQuery::build(object, parser_.effective_version(), shapes_);
+      if (compiled_.size() >= sweep_at_) forget_unused();
     }
-    return *entry.query;
+    return *query;
+  }
+  // Loops ask about thousands of objects that nobody else has afterwards.
+  void forget_unused() {
+    std::erase_if(compiled_, [](const auto& entry) { return entry.first.use_count() == 1; });
+    sweep_at_ = std::max<size_t>(kFewQueries, 2 * compiled_.size());
   }
 
-  struct Compiled {
-    ObjectPtr object;  // keeps the address from being used again
-    std::shared_ptr<const ObjectQuery> query;
-  };
-
+  static constexpr size_t kFewQueries = 64;
   const Parser& parser_;
-  std::unordered_map<const ObjectNode*, Compiled> compiled_;
+  CompiledShapes shapes_;
+  std::unordered_map<ObjectPtr, std::shared_ptr<const ObjectQuery>> compiled_;
+  size_t sweep_at_ = kFewQueries;
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
 
 #include "tracer/system/shared_library.h"
 #include "tracer/system/thread_limit.h"
@@ -42,6 +44,16 @@ struct Device {
   RTCDevice device;
   ~Device() { embree().rtcReleaseDevice(device); }
 };
+
+// One for all meshes: each takes one of the few thread-specific keys that a process has.
+std::shared_ptr<Device> shared_device() {
+  static std::mutex guard;
+  static std::weak_ptr<Device> last;
+  const std::lock_guard lock(guard);
+  std::shared_ptr<Device> device = last.lock();
+  if (!device) last = device = std::make_shared<Device>();
+  return device;
+}
 
 struct VisitContext {
   RTCIntersectContext context;  // first: Embree hands back a pointer to it
@@ -81,7 +93,7 @@ RTCRayHit ray_from(const Vec3& origin, const Vec3& direction, float near, float 
 }  // namespace
 
 struct EmbreeMesh::Scene {
-  std::shared_ptr<Device> device = std::make_shared<Device>();
+  std::shared_ptr<Device> device = shared_device();
   RTCScene scene = embree().rtcNewScene(device->device);
   ~Scene() { embree().rtcReleaseScene(scene); }
 };

@@ -32,9 +32,16 @@ ObjectQuery::~ObjectQuery() = default;
 
 std::shared_ptr<const ObjectQuery> ObjectQuery::build(const ObjectPtr& object,
                                                       int effective_version) {
+  CompiledShapes shapes;
+  return build(object, effective_version, shapes);
+}
+
+std::shared_ptr<const ObjectQuery> ObjectQuery::build(const ObjectPtr& object,
+                                                      int effective_version,
+                                                      CompiledShapes& shapes) {
   std::shared_ptr<ObjectQuery> query(new ObjectQuery);
   Impl& impl = *query->impl_;
-  ObjectResolver resolver(effective_version);
+  ObjectResolver resolver(shapes, effective_version);
   const ResolvedObject resolved = resolver.resolve(object);
   WorldBuilder builder(impl.data, {}, nullptr, {});
   impl.node = builder.add_bare(resolved);

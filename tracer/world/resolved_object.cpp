@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "tracer/intersect/mesh.h"
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/quadric.h"
-#include "tracer/shapes/text.h"
 
 namespace durer {
 namespace {
@@ -357,7 +355,7 @@ ResolvedObject ObjectResolver::resolve(const ObjectPtr& object) {
 ResolvedObject ObjectResolver::resolve_shape(const ObjectNode& object) {
   const ShapeNode& node = *object.shape;
   if (const auto* csg = std::get_if<CsgNode>(&node)) return resolve_csg(*csg);
-  if (const auto* text = std::get_if<Rare<TextNode>>(&node)) return resolve_text(*text);
+  if (std::holds_alternative<Rare<TextNode>>(node)) return resolve_text(object.shape);
   if (const auto* light = std::get_if<std::shared_ptr<const LightNode>>(&node)) {
     return resolve_light(*light);
   }
@@ -428,22 +426,7 @@ PlacedShape ObjectResolver::compiled(const ObjectNode& object) {
       return compile_shape(with_sturm(*object.shape, flag->value), context);
     }
   }
-  const auto known = shapes_.find(object.shape);
-  if (known != shapes_.end()) return known->second;
-  PlacedShape placed;
-  if (std::holds_alternative<Rare<MeshNode>>(*object.shape)) {
-    placed.shape = compile_mesh(object.shape);
-  } else {
-    placed = compile_shape(*object.shape, context);
-  }
-  // Only what is dear to compile is kept: most shapes are used once.
-  if (std::holds_alternative<Rare<MeshNode>>(*object.shape) ||
-      std::holds_alternative<HeightFieldNode>(*object.shape) ||
-      std::holds_alternative<BlobNode>(*object.shape) ||
-      std::holds_alternative<Rare<IsosurfaceNode>>(*object.shape)) {
-    shapes_.emplace(object.shape, placed);
-  }
-  return placed;
+  return shapes_.shape(object.shape, context);
 }
 
 ResolvedObject ObjectResolver::resolve_csg(const CsgNode& node) {
@@ -469,11 +452,11 @@ ResolvedObject ObjectResolver::resolve_csg(const CsgNode& node) {
 }
 
 // A union of its characters, turned a little.
-ResolvedObject ObjectResolver::resolve_text(const TextNode& node) {
+ResolvedObject ObjectResolver::resolve_text(const std::shared_ptr<const ShapeNode>& node) {
   ResolvedObject result;
   result.kind = ResolvedObject::Kind::csg;
   result.csg = CsgKind::union_;
-  for (const PlacedGlyph& glyph : lay_out_text(node)) {
+  for (const PlacedGlyph& glyph : shapes_.text(node)) {
     ResolvedObject member;
     member.shape = glyph.shape;
     member.shape_kind = static_cast<uint8_t>(ShapeNode(std::in_place_type<Rare<TextNode>>).index());

@@ -9,6 +9,7 @@
 #include "tracer/scene/light.h"
 #include "tracer/shapes/shape.h"
 #include "tracer/intersect/float_box.h"
+#include "tracer/world/compiled_shapes.h"
 
 namespace durer {
 
@@ -94,7 +95,8 @@ struct ResolvedObject {
 // Replays handles; shapes and declared objects that are used many times are compiled once.
 class ObjectResolver {
  public:
-  explicit ObjectResolver(int effective_version) : effective_version_(effective_version) {}
+  ObjectResolver(CompiledShapes& shapes, int effective_version)
+      : shapes_(shapes), effective_version_(effective_version) {}
 
   // Marks the objects that the scene uses often: these stay shared where they are only moved.
   void find_shared(const std::vector<ObjectPtr>& scene);
@@ -107,11 +109,11 @@ class ObjectResolver {
   ResolvedObject resolve_light(const std::shared_ptr<const LightNode>& light);
   PlacedShape compiled(const ObjectNode& object);
   ResolvedObject resolve_csg(const CsgNode& node);
-  ResolvedObject resolve_text(const TextNode& node);
+  ResolvedObject resolve_text(const std::shared_ptr<const ShapeNode>& node);
   void apply(ResolvedObject& object, const Modifier& modifier, bool is_copy);
 
+  CompiledShapes& shapes_;
   int effective_version_;
-  std::unordered_map<std::shared_ptr<const ShapeNode>, PlacedShape> shapes_;
   // Originals of copies by node; null until the first use.
   std::unordered_map<ObjectPtr, std::shared_ptr<const ResolvedObject>> shared_;
 };

@@ -339,7 +339,8 @@ std::unique_ptr<World> World::build(const Scene& scene, std::vector<ObjectPtr> o
   std::unique_ptr<World> world(new World);
   WorldData& data = world->impl_->data;
   WorldBuilder builder(data, options, scene.default_texture, textures);
-  ObjectResolver resolver(scene.effective_version);
+  CompiledShapes shapes;
+  ObjectResolver resolver(shapes, scene.effective_version);
   resolver.find_shared(objects);
   builder.expect(objects.size());
   for (ObjectPtr& object : objects) {

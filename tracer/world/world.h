@@ -16,6 +16,7 @@
 namespace durer {
 
 struct BvhBeam;
+class CompiledShapes;
 
 // Ray-kind flags that decide which objects a ray sees (spec/geometry.md 6.5).
 struct RayClass {
@@ -225,6 +226,9 @@ ShapeTestCounts take_shape_tests();
 class ObjectQuery {
  public:
   static std::shared_ptr<const ObjectQuery> build(const ObjectPtr& object, int effective_version);
+  // The same with shapes of earlier queries.
+  static std::shared_ptr<const ObjectQuery> build(const ObjectPtr& object, int effective_version,
+                                                  CompiledShapes& shapes);
   ~ObjectQuery();
 
   // trace(): nearest hit from origin along unit_direction; raw normal. False: none.
