@@ -248,6 +248,11 @@ class FunctionBody {
           which = FunctionMember::height;
           break;
         }
+        // A keyword nowhere else (measured on povray 3.7).
+        if (member.kind == TokenKind::identifier && state_.names.text(member.name) == "grey") {
+          which = FunctionMember::grey;
+          break;
+        }
         state_.error("expected a component after '.', such as .x, .red or .gray");
     }
     return builder_.call(function, std::move(terms), which);

@@ -66,7 +66,7 @@ class NormalReader {
       node_.pattern.edit().kind = PatternKind::object;
       node_.pattern.edit().frequency = 0;
       parser_.expect_open("object");
-      node_.pattern.edit().object = require_object(parser_);
+      node_.pattern.edit().object = parse_pattern_object(parser_);
       read_list(2);
       parser_.expect_close("object");
       read_amount();

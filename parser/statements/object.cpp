@@ -1,6 +1,7 @@
 // Which statement makes which object.
 #include "parser/parser.h"
 #include "parser/statements/objects.h"
+#include "parser/statements/transformations.h"
 
 namespace durer {
 namespace {
@@ -68,6 +69,14 @@ ObjectPtr parse_object(Parser& parser) {
 ObjectPtr require_object(Parser& parser) {
   ObjectPtr object = parse_object(parser);
   if (!object) parser.error_expected("an object");
+  return object;
+}
+
+ObjectPtr parse_pattern_object(Parser& parser) {
+  ObjectPtr object = require_object(parser);
+  for (Transform transform; accept_transformation(parser, transform); transform = {}) {
+    object = with_modifier(std::move(object), Rare<Transform>(transform));
+  }
   return object;
 }
 

@@ -16,6 +16,8 @@ class Parser;
 ObjectPtr parse_object(Parser& parser);
 // The same; an error if there is none.
 ObjectPtr require_object(Parser& parser);
+// What an object pattern asks about, behind its brace: an object, perhaps moved there.
+ObjectPtr parse_pattern_object(Parser& parser);
 
 // An object under construction: its node, whose modifiers tell which textures are in force.
 class ObjectBuilder {

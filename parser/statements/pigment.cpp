@@ -71,7 +71,7 @@ class PigmentReader {
       node_.pattern.edit().kind = PatternKind::object;
       node_.pattern.edit().frequency = 0;
       parser_.expect_open("object");
-      node_.pattern.edit().object = require_object(parser_);
+      node_.pattern.edit().object = parse_pattern_object(parser_);
       read_list(2);
       parser_.expect_close("object");
     } else if (accept_pattern(parser_, node_.pattern.edit(), use_)) {
@@ -201,7 +201,7 @@ std::shared_ptr<const PatternNode> parse_function_pattern(Parser& parser) {
     node->kind = PatternKind::object;
     node->frequency = 0;
     parser.expect_open("object");
-    node->object = require_object(parser);
+    node->object = parse_pattern_object(parser);
     parser.expect_close("object");
   } else if (!accept_pattern(parser, *node, PatternUse::function)) {
     parser.error_expected("a pattern");

@@ -192,7 +192,7 @@ class TextureReader {
       choice.pattern.kind = PatternKind::object;
       choice.pattern.frequency = 0;
       parser_.expect_open("object");
-      choice.pattern.object = require_object(parser_);
+      choice.pattern.object = parse_pattern_object(parser_);
       read_list(choice, 2);
       parser_.expect_close("object");
     } else if (accept_pattern(parser_, choice.pattern, PatternUse::texture)) {
