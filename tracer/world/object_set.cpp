@@ -72,6 +72,7 @@ void finish_set(const Geometry& geometry, ObjectSet& set, bool uses_bounding) {
   set.uses_bounding = uses_bounding;
   for (TopLevelObject& top : set.objects) {
     if (top.instance >= 0) continue;
+    if (uses_bounding) top.hidden |= top.hidden_in_hierarchy;
     const GeometryNode& node = geometry.nodes[top.node];
     // What is too large for the hierarchy is tested on its own, too.
     if (top.box.is_infinite() ? is_exempt(node) || !top.box.to_bounds().is_bounded()

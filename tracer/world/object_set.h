@@ -21,6 +21,7 @@ struct TopLevelObject {
   int32_t instance = -1;    // in WorldData::instances; then `node` means nothing
   bool asks_box = false;    // its own box is asked before it (geometry.md 2.2)
   bool is_cut_off = false;  // what lies outside of the box is not seen
+  uint8_t hidden_in_hierarchy = 0;  // likewise, where there is a hierarchy
 };
 
 // An object as the walks meet it.

@@ -225,15 +225,20 @@ void WorldBuilder::split(ResolvedObject&& object, int light_group) {
                        (options_.split_unions &&
                         std::all_of(object.children.begin(), object.children.end(), is_finite)));
   if (!splits) {
-    const FloatBox box = object.box;
-    const uint8_t hidden = hidden_bits(object);
-    const bool visible = object.kind != ResolvedObject::Kind::light || !object.children.empty();
-    const FloatBox seen =
-        object.kind == ResolvedObject::Kind::light && visible ? object.children[0].box : box;
+    const bool is_light = object.kind == ResolvedObject::Kind::light;
+    const bool visible = !is_light || !object.children.empty();
+    TopLevelObject top;
+    top.box = is_light && visible ? object.children[0].box : object.box;
+    top.hidden = hidden_bits(object);
+    // Only the hierarchy asks what a looks_like says (measured on povray 3.7).
+    if (is_light && visible) {
+      top.hidden_in_hierarchy = hidden_bits(object.children[0]) & (kImageRay | kReflectionRay);
+    }
     const uint32_t node = emit(object, nullptr, -1, light_group, -1);
     if (visible && data_.geometry.nodes[node].kind != NodeKind::nothing) {
       if (!group_) top_level_pages_.before_push(set_->objects);
-      set_->objects.push_back({node, seen, hidden, -1});
+      top.node = node;
+      set_->objects.push_back(top);
     }
     return;
   }
@@ -408,6 +413,11 @@ uint32_t WorldBuilder::emit(ResolvedObject& object, const ResolvedObject* parent
   children.reserve(object.children.size());
   for (ResolvedObject& child : object.children) {
     child.is_light_of_group = object.is_light_group;
+    // Of a looks_like only split() asks.
+    if (object.kind == ResolvedObject::Kind::light) {
+      child.no_image = object.no_image;
+      child.no_reflection = object.no_reflection;
+    }
     children.push_back(emit(child, &object, interior, light_group, inner_filter));
   }
   const NodeRange clips = emit_list(object.clips);
@@ -480,7 +490,11 @@ void WorldBuilder::resolve_projected(ObjectResolver& resolver) {
 }
 
 void WorldBuilder::finish() {
-  const size_t count = data_.scene.objects.size() + data_.lights.size();
+  // Objects at scene level as written, lights without looks_like among them.
+  const size_t count = data_.scene.objects.size() +
+                       static_cast<size_t>(std::count_if(
+                           data_.lights.begin(), data_.lights.end(),
+                           [](const WorldLight& light) { return !light.node->looks_like; }));
   finish_set(data_.geometry, data_.scene, count >= static_cast<size_t>(options_.bounding_threshold));
 }
 
