@@ -268,9 +268,9 @@ void Geometry::note_span(uint32_t child, const GeometryRay& ray, const HitStack&
   if (!nodes[child].narrows || count == 0 || count > 2) return;
   const double one = stack[first].t, other = stack[stack.size() - 1].t;
   if (count == 2) {
-    spans.add(std::min(one, other), std::max(one, other), child);
+    spans.add(std::min(one, other), std::max(one, other));
   } else if (inside_unclipped(child, ray.origin)) {
-    spans.add(0, one, child);
+    spans.add(0, one);
   }
 }
 
@@ -307,7 +307,7 @@ void Geometry::all_hits(uint32_t index, const GeometryRay& ray, const Interval& 
       for (size_t i = start; i < stack.size(); ++i) {
         const uint32_t child = gathered.member[i - start];
         const double t = stack[i].t;
-        if (gathered.spans.covered_from(t, child) == 0 &&
+        if (gathered.spans.covered_from(t) == 0 &&
             keeps_hit(node, child, ray.origin + t * ray.direction, ray.kind)) {
           stack[kept++] = stack[i];
         }
@@ -409,7 +409,7 @@ bool Geometry::closest_of_composite(const GeometryNode& node, const GeometryRay&
     stack[chosen].t = kHugeDepth;
     if (overflowed) break;
     const uint32_t child = gathered.member[chosen - base];
-    const double covered = gathered.spans.covered_from(best, child);
+    const double covered = gathered.spans.covered_from(best);
     from = std::max(from, covered);
     found = covered == 0 && keeps_hit(node, child, ray.origin + best * ray.direction, ray.kind);
   }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 
 #include "tracer/intersect/convex_sweep.h"
 
@@ -11,33 +10,40 @@ namespace durer {
 
 class MergeSpans {
  public:
-  // Spans beyond these are left out: their members are asked.
-  static constexpr int kMost = 64;
-
-  void add(double from, double to, uint32_t member) {
-    if (count_ < kMost) span_[count_++] = {from, to, member};
-  }
-  // How far on from a hit of a member all that others are hit at lies well within some member; 0: the
-  // hit itself may be seen.
-  double covered_from(double t, uint32_t member) const {
-    double covered = 0;
+  // Where the ray enters a member and leaves it.
+  void add(double enters, double leaves) {
+    Span fresh{enters + border(enters), leaves - border(leaves)};
+    if (fresh.from >= fresh.to) return;
+    // It takes in those that it overlaps.
+    int kept = 0;
     for (int i = 0; i < count_; ++i) {
-      const Span& span = span_[i];
-      if (span.from + border(t) < t && t < span.to - border(t) && span.member != member) {
-        covered = std::max(covered, span.to - border(span.to));
+      if (span_[i].to < fresh.from || span_[i].from > fresh.to) {
+        span_[kept++] = span_[i];
+      } else {
+        fresh = {std::min(fresh.from, span_[i].from), std::max(fresh.to, span_[i].to)};
       }
     }
-    return covered;
+    if (kept < kMost) span_[kept++] = fresh;
+    count_ = kept;
+  }
+  // How far on from a place on the ray all lies within members; 0: it may be on the surface. Members
+  // are hit at the ends of their own spans, which lie outside of these.
+  double covered_from(double t) const {
+    for (int i = 0; i < count_; ++i) {
+      if (span_[i].from < t && t < span_[i].to) return span_[i].to;
+    }
+    return 0;
   }
 
  private:
-  static double border(double t) { return kSweepDoubt * (1 + t); }
-
   struct Span {
     double from, to;
-    uint32_t member;
   };
-  Span span_[kMost];
+  static double border(double t) { return kSweepDoubt * (1 + t); }
+
+  // Spans beyond these are left out: their members are asked.
+  static constexpr int kMost = 32;
+  Span span_[kMost];  // apart from each other
   int count_ = 0;
 };
 

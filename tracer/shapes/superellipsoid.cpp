@@ -9,6 +9,7 @@ namespace durer {
 namespace {
 
 constexpr double kHalfCube = 1.01;
+constexpr double kLeastDepth = 1e-4;
 constexpr int kMostSteps = 20;
 constexpr int kMostSamples = 16;
 // A bound above this much is no rounding error; samples nearer to each other tell nothing of a slope.
@@ -25,7 +26,10 @@ double combine(double a, double b, double exponent) {
 class Superellipsoid final : public Shape {
  public:
   explicit Superellipsoid(const Vec2& exponents)
-      : e_(2 / exponents.x), n_(2 / exponents.y), is_convex_(e_ >= 1 && n_ >= 1) {}
+      : e_(2 / exponents.x),
+        n_(2 / exponents.y),
+        is_convex_(e_ >= 1 && n_ >= 1),
+        surely_outside_(power(1 + kSureValue, n_)) {}
 
   Bounds bounds() const override { return {Vec3(-1.0001), Vec3(1.0001)}; }
 
@@ -34,6 +38,7 @@ class Superellipsoid final : public Shape {
     const Vec3 p = ray.origin, d = ray.direction * scale;
     double entry, exit;
     if (!clip_to_cube(p, d, entry, exit)) return;
+    if (is_convex_ && entry == kLeastDepth && leaves(p + entry * d, d)) return;
     Samples samples;
     sample_distances(p, d, entry, exit, samples);
     const auto sample = [&](int i) {
@@ -97,8 +102,20 @@ class Superellipsoid final : public Shape {
     return combine(combine(std::abs(p.x), std::abs(p.y), e_), std::abs(p.z), n_) - 1;
   }
 
+  // Whether a ray that starts here, outside, never comes nearer: as the norm is convex, its slope says so.
+  bool leaves(const Vec3& p, const Vec3& d) const {
+    const double x = power(std::abs(p.x), e_), y = power(std::abs(p.y), e_);
+    const double z = power(std::abs(p.z), n_), r = power(x + y, n_ / e_);
+    if (!(r + z > surely_outside_)) return false;
+    const auto slope = [](double term, double place, double along) {
+      return place != 0 ? term / place * along : 0;
+    };
+    const double across = x + y > 0 ? r / (x + y) : 0;
+    return across * (slope(x, p.x, d.x) + slope(y, p.y, d.y)) + slope(z, p.z, d.z) > 0;
+  }
+
   static bool push(double t, HitStack& out) {
-    if (!(t > 1e-4 && t < kGreatestDepth)) return false;
+    if (!(t > kLeastDepth && t < kGreatestDepth)) return false;
     out.push(t);
     return true;
   }
@@ -115,8 +132,8 @@ class Superellipsoid final : public Shape {
       entry = std::max(entry, std::min(a, b));
       exit = std::min(exit, std::max(a, b));
     }
-    if (exit < entry || exit < 1e-4) return false;
-    entry = std::max(entry, 1e-4);
+    if (exit < entry || exit < kLeastDepth) return false;
+    entry = std::max(entry, kLeastDepth);
     return exit >= entry;
   }
 
@@ -207,6 +224,7 @@ class Superellipsoid final : public Shape {
 
   double e_, n_;
   bool is_convex_;
+  double surely_outside_;  // norm to the power n from which on nothing rounded is on the surface
 };
 
 }  // namespace
