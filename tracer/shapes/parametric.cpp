@@ -1,12 +1,12 @@
 // parametric { function, function, function <u,v>, <u,v> … }             (spec/functions.md 8)
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
-#include "tracer/functions/compiled_function.h"
 #include "tracer/scene/function.h"
 #include "tracer/shapes/container.h"
+#include "tracer/shapes/parametric_bounds.h"
 
 namespace durer {
 namespace {
@@ -15,27 +15,26 @@ struct Interval {
   double low, high;
 };
 
-// A range that encloses a function between two values, from its greatest slope.
-Interval enclose(double gradient, double width, double p, double q) {
-  const double overshoot = std::max(0.0, 0.5 * (gradient * width - std::abs(p - q)));
-  return {std::min(p, q) - overshoot, std::max(p, q) + overshoot};
-}
-
-struct Rectangle {
-  double u0, u1, v0, v1;
-  double corner[3][4];  // each coordinate at (u0,v0) (u0,v1) (u1,v0) (u1,v1)
-  double depth;         // where the ray enters the bounds of the last axis it is not parallel to
-  double greatest;      // of all such axes
-  double longest;       // way through the bounds of one axis
+struct Rectangle : ParameterRectangle {
+  Corners corner[3];  // not known of coordinates whose bounds are precomputed
+  uint32_t number;    // among the precomputed ones
+  double depth;       // where the ray enters the bounds of the last axis it is not parallel to
+  double greatest;    // of all such axes
+  double longest;     // way through the bounds of one axis
 };
 
 class Parametric final : public Shape {
  public:
   explicit Parametric(const ParametricNode& node) : node_(node), container_(node.container) {
-    for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < 4; ++i)
-        root_corner_[axis][i] = coordinate(axis, i / 2 ? node.u_range.y : node.u_range.x,
-                                           i % 2 ? node.v_range.y : node.v_range.x);
+    root_ = {node.u_range.x, node.u_range.y, node.v_range.x, node.v_range.y};
+    for (size_t axis = 0; axis < 3; ++axis) {
+      coordinate_[axis] = {node.function[axis]->compiled.get(), node.accuracy, node.max_gradient};
+      root_corner_[axis] = coordinate_[axis].corners(root_);
+      if (!node.precompute[axis]) continue;
+      // Half the accuracy: sides of one level may differ in their last digits.
+      precomputed_[axis] = {coordinate_[axis], root_, node.precompute_depth, 0.5 * node.accuracy};
+      precomputed_count_ = precomputed_[axis].count();
+    }
   }
 
   Bounds bounds() const override { return container_.bounds(); }
@@ -55,22 +54,23 @@ class Parametric final : public Shape {
     Vec2 found(0);
     thread_local std::vector<Rectangle> stack;
     stack.clear();
-    Rectangle root{};
-    root.u0 = node_.u_range.x, root.u1 = node_.u_range.y;
-    root.v0 = node_.v_range.x, root.v1 = node_.v_range.y;
+    Rectangle root{root_, {root_corner_[0], root_corner_[1], root_corner_[2]}, 1, 0, 0, 0};
     bool met = true;
-    for (int axis = 0; axis < 3; ++axis) std::copy_n(root_corner_[axis], 4, root.corner[axis]);
     Crossings root_crossings;
-    for (int axis = 0; axis < 3 && met; ++axis)
-      met = may_be_hit(ray, axis, root, from, to, best, root_crossings);
+    for (int axis = 0; axis < 3 && met; ++axis) {
+      const CoordinateRange range = is_precomputed(axis, 1)
+                                 ? precomputed_[axis][1]
+                                 : coordinate_[axis].estimate(root, root.corner[axis]);
+      met = may_be_hit(ray, axis, range, root, from, to, best, root_crossings);
+    }
     if (met) stack.push_back(root);
     while (!stack.empty()) {
       const Rectangle r = stack.back();
       stack.pop_back();
       if (r.greatest > best) continue;
       const double du = r.u1 - r.u0, dv = r.v1 - r.v0;
-      const bool along_u = du >= dv;
-      const double middle = along_u ? 0.5 * (r.u0 + r.u1) : 0.5 * (r.v0 + r.v1);
+      const bool along_u = r.splits_u();
+      const double middle = r.middle();
       // An accuracy of 0 ends where no number lies between two others.
       const bool is_least = along_u ? !(r.u0 < middle && middle < r.u1)
                                     : !(r.v0 < middle && middle < r.v1);
@@ -81,7 +81,7 @@ class Parametric final : public Shape {
         }
         continue;
       }
-      split(ray, r, along_u, middle, from, to, best, stack);
+      split(ray, r, from, to, best, stack);
     }
     if (best < to)
       out.push(best, 0, static_cast<float>(found.x), static_cast<float>(found.y));
@@ -98,11 +98,8 @@ class Parametric final : public Shape {
   }
 
  private:
-  double coordinate(int axis, double u, double v) const {
-    return node_.function[static_cast<size_t>(axis)]->compiled->value(Vec3(u, v, 0));
-  }
   Vec3 point(double u, double v) const {
-    return {coordinate(0, u, v), coordinate(1, u, v), coordinate(2, u, v)};
+    return {coordinate_[0](u, v), coordinate_[1](u, v), coordinate_[2](u, v)};
   }
 
   // The t-intervals of the axes seen so far.
@@ -111,25 +108,37 @@ class Parametric final : public Shape {
     int count = 0;
   };
 
-  // Halves share the corners in the middle, and a half that one axis rules out asks no other.
-  void split(const ShapeRay& ray, const Rectangle& r, bool along_u, double middle, double from,
-             double to, double best, std::vector<Rectangle>& stack) const {
+  bool is_precomputed(int axis, uint32_t number) const {
+    return number < precomputed_count_ && !precomputed_[axis].empty();
+  }
+
+  // A half that one axis rules out asks no other.
+  void split(const ShapeRay& ray, const Rectangle& r, double from, double to, double best,
+             std::vector<Rectangle>& stack) const {
     Rectangle low = r, high = r;
-    (along_u ? low.u1 : low.v1) = middle;
-    (along_u ? high.u0 : high.v0) = middle;
+    const double middle = r.middle();
+    (r.splits_u() ? low.u1 : low.v1) = middle;
+    (r.splits_u() ? high.u0 : high.v0) = middle;
     low.depth = low.greatest = low.longest = high.depth = high.greatest = high.longest = 0;
+    // Those below the precomputed ones share a number that is none of theirs.
+    low.number = std::min(2 * r.number, precomputed_count_);
+    high.number = std::min(2 * r.number + 1, precomputed_count_);
     Crossings low_crossings, high_crossings;
     bool low_met = true, high_met = true;
     for (int axis = 0; axis < 3; ++axis) {
-      if (along_u) {
-        low.corner[axis][2] = high.corner[axis][0] = coordinate(axis, middle, r.v0);
-        low.corner[axis][3] = high.corner[axis][1] = coordinate(axis, middle, r.v1);
+      CoordinateRange low_range, high_range;
+      if (is_precomputed(axis, low.number)) {
+        low_range = precomputed_[axis][low.number];
+        high_range = precomputed_[axis][high.number];
       } else {
-        low.corner[axis][1] = high.corner[axis][0] = coordinate(axis, r.u0, middle);
-        low.corner[axis][3] = high.corner[axis][2] = coordinate(axis, r.u1, middle);
+        const ParametricCoordinate& f = coordinate_[axis];
+        const Corners whole = is_precomputed(axis, r.number) ? f.corners(r) : r.corner[axis];
+        std::tie(low.corner[axis], high.corner[axis]) = f.halves(r, whole);
+        low_range = f.estimate(low, low.corner[axis]);
+        high_range = f.estimate(high, high.corner[axis]);
       }
-      low_met = low_met && may_be_hit(ray, axis, low, from, to, best, low_crossings);
-      high_met = high_met && may_be_hit(ray, axis, high, from, to, best, high_crossings);
+      low_met = low_met && may_be_hit(ray, axis, low_range, low, from, to, best, low_crossings);
+      high_met = high_met && may_be_hit(ray, axis, high_range, high, from, to, best, high_crossings);
       if (!low_met && !high_met) return;
     }
     // The lower half is searched first.
@@ -137,23 +146,13 @@ class Parametric final : public Shape {
     if (low_met) stack.push_back(low);
   }
 
-  Interval bounds_of(int axis, const Rectangle& r) const {
-    const double a = node_.accuracy, g = node_.max_gradient;
-    const double* f = r.corner[axis];
-    const Interval left = enclose(g, r.v1 - r.v0, f[0] - a, f[1] - a);
-    const Interval right = enclose(g, r.v1 - r.v0, f[2] - a, f[3] - a);
-    return {enclose(g, r.u1 - r.u0, left.low, right.low).low,
-            enclose(g, r.u1 - r.u0, left.high, right.high).high};
-  }
-
   // One axis after the other, x first.
-  bool may_be_hit(const ShapeRay& ray, int axis, Rectangle& r, double from, double to, double best,
-                  Crossings& crossings) const {
-    const Interval range = bounds_of(axis, r);
+  bool may_be_hit(const ShapeRay& ray, int axis, const CoordinateRange& range, Rectangle& r, double from,
+                  double to, double best, Crossings& crossings) const {
     const double o = ray.origin[axis], d = ray.direction[axis];
     if (std::abs(d) < kGeometryEpsilon) return o >= range.low && o <= range.high;
     double t0 = (range.low - o) / d, t1 = (range.high - o) / d;
-    if (t0 > t1) std::swap(t0, t1);
+    if (!(t0 <= t1)) std::swap(t0, t1);  // also where either is no number, as in povray
     if (t0 > to || t1 < from || t0 > best) return false;
     for (int i = 0; i < crossings.count; ++i)
       if (t0 > crossings.interval[i].high || t1 < crossings.interval[i].low) return false;
@@ -164,7 +163,11 @@ class Parametric final : public Shape {
     return true;
   }
 
-  double root_corner_[3][4];
+  ParameterRectangle root_;
+  Corners root_corner_[3];
+  ParametricCoordinate coordinate_[3];
+  PrecomputedBounds precomputed_[3];
+  uint32_t precomputed_count_ = 0;
   ParametricNode node_;
   Container container_;
 };

@@ -11,7 +11,8 @@ namespace {
 bool is_dear(const ShapeNode& node) {
   return std::holds_alternative<Rare<MeshNode>>(node) ||
          std::holds_alternative<HeightFieldNode>(node) || std::holds_alternative<BlobNode>(node) ||
-         std::holds_alternative<Rare<IsosurfaceNode>>(node);
+         std::holds_alternative<Rare<IsosurfaceNode>>(node) ||
+         std::holds_alternative<Rare<ParametricNode>>(node);
 }
 
 }  // namespace

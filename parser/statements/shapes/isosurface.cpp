@@ -113,11 +113,12 @@ ShapeNode parse_parametric(Parser& parser) {
     } else if (parser.accept(Keyword::precompute)) {
       node.precompute_depth = parser.parse_int();
       parser.accept_comma();
-      // Each at most once, in this order.
+      // Each at most once, in this order; a second `precompute` keeps those of the first.
       constexpr Keyword kAxes[] = {Keyword::x, Keyword::y, Keyword::z};
       for (int axis = 0; axis < 3; ++axis) {
-        node.precompute[axis] = parser.accept(kAxes[axis]);
-        if (node.precompute[axis]) parser.accept_comma();
+        if (!parser.accept(kAxes[axis])) continue;
+        node.precompute[axis] = true;
+        parser.accept_comma();
       }
       const auto& axes = node.precompute;
       if ((axes[0] || axes[1] || axes[2]) &&
