@@ -9,7 +9,7 @@
 #include <bit>
 #include <vector>
 
-#include "tracer/shapes/julia_maps.h"
+#include "tracer/shapes/julia_lanes.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
@@ -18,6 +18,7 @@ namespace {
 constexpr double kLeastStep = 1e-7;  // of the search for the border
 constexpr double kLeastDistance = 1e-8;
 constexpr double kLongestStride = 30;  // in units of the precision
+constexpr int kLongestBalls = 128;     // likewise, what is known to be inside at once
 
 // The orbit that this thread followed last. Where it has left before `count` points, the rest is of
 // orbits before it: POV-Ray makes the normals of the complex functions of such mixtures.
@@ -32,13 +33,13 @@ class JuliaFractal final : public Shape {
  public:
   JuliaFractal(const JuliaFractalNode& node, const Map& map)
       : map_(map),
-        slice_(node.slice / std::sqrt(glm::dot(node.slice, node.slice))),
-        slice_distance_(node.slice_distance),
+        slice_{node.slice / std::sqrt(glm::dot(node.slice, node.slice)), node.slice_distance,
+               node.max_iteration, 16},
         iterations_(node.max_iteration),
         precision_(1 / node.precision) {
     const double size = std::sqrt(glm::dot(node.parameter, node.parameter));
     radius_ = Map::kQuaternion ? std::min(2.0, 1 + size + 1e-7) : 4;
-    escape2_ = Map::kQuaternion ? radius_ * radius_ + 1e-7 : 16;
+    if (Map::kQuaternion) slice_.escape2 = radius_ * radius_ + 1e-7;
   }
 
   Bounds bounds() const override { return placed_.bounds({Vec3(-radius_), Vec3(radius_)}); }
@@ -59,6 +60,9 @@ class JuliaFractal final : public Shape {
       was_inside = march(point, local.direction, distance);
     }
     for (;;) {
+      if constexpr (Map::kQuaternion) {
+        if (was_inside && !cross_inside(local.direction, end, point, t)) return;
+      }
       const double step = std::max(distance, precision_);
       t += step;
       if (!(t < end)) return;
@@ -89,7 +93,7 @@ class JuliaFractal final : public Shape {
       return placed_.normal({hit.u, hit.v, hit.part ? -third : third});
     }
     if constexpr (Map::kQuaternion) {
-      Vec4 z = start(placed_.inverse_point(world_point));
+      Vec4 z = slice_.start(placed_.inverse_point(world_point));
       Vec4 v[3] = {Vec4(1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0)};
       for (int k = 0; k < iterations_; ++k) {
         for (Vec4& tangent : v) tangent = Map::carry(z, tangent);
@@ -97,7 +101,7 @@ class JuliaFractal final : public Shape {
       }
       return placed_.normal({dot_in_order(v[0], z), dot_in_order(v[1], z), dot_in_order(v[2], z)});
     } else {
-      typename Map::Number z(start(placed_.inverse_point(world_point)));
+      typename Map::Number z(slice_.start(placed_.inverse_point(world_point)));
       typename Map::Number q(Vec4(1, 0, 0, 0));
       for (int k = 0; k < iterations_; ++k) {
         const auto factor = map_.factor_of_step(z, k);
@@ -150,19 +154,13 @@ class JuliaFractal final : public Shape {
     return true;
   }
 
-  // The point in fourfold space.
-  Vec4 start(const Vec3& p) const {
-    return {p.x, p.y, p.z,
-            (slice_distance_ - slice_.x * p.x - slice_.y * p.y - slice_.z * p.z) / slice_.w};
-  }
-
   bool is_in_set(const Vec3& p) const {
     Vec4* orbit = nullptr;
     if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
-    typename Map::Number z(start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p));
+    typename Map::Number z(slice_.start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p));
     remember(orbit, 0, z);
     for (int i = 0; i < iterations_; ++i) {
-      if (Map::squared_size(z) > escape2_) return false;
+      if (Map::squared_size(z) > slice_.escape2) return false;
       z = map_(z);
       remember(orbit, i + 1, z);
     }
@@ -201,10 +199,45 @@ class JuliaFractal final : public Shape {
             -q.z * z.x - q.w * z.y + q.x * z.z + q.y * z.w};
   }
 
+  // Walks on inside, in steps of the precision, to the last point before one that is outside. False: it
+  // comes to the end of the ray.
+  bool cross_inside(const Vec3& direction, double end, Vec3& point, double& t) const {
+    const double spacing = precision_ * length(direction) / std::abs(slice_.normal.w);
+    JuliaLanes lanes;
+    for (int stride = 2;;) {
+      int passed;
+      if (stride == 1) {
+        Vec3 next = point;
+        for (int lane = 0; lane < JuliaLanes::kCount; ++lane) {
+          next += precision_ * direction;
+          lanes.set(lane, next);
+        }
+        passed = std::countr_one(lanes_in_set(map_, slice_, lanes));
+      } else {
+        // Each lane for as many steps, half of them before its point, and half after.
+        for (int lane = 0; lane < JuliaLanes::kCount; ++lane)
+          lanes.set(lane, point + (lane * stride + 0.5 * (stride + 1)) * precision_ * direction);
+        const double radius = (0.5 * (stride - 1) + 1e-3) * spacing;
+        passed = stride * std::countr_one(balls_in_set(map_, slice_, lanes, radius));
+      }
+      for (int i = 0; i < passed; ++i) {
+        t += precision_;
+        if (!(t < end)) return false;
+        point += precision_ * direction;
+      }
+      if (passed == stride * JuliaLanes::kCount)
+        stride = std::min(2 * stride, kLongestBalls);
+      else if (stride > 1)
+        stride /= 2;
+      else
+        return true;
+    }
+  }
+
   // Whether a point is in the set, and how far the set is along the ray.
   bool march(const Vec3& point, const Vec3& direction, double& distance) const {
     distance = precision_;
-    typename Map::Number z(start(point));
+    typename Map::Number z(slice_.start(point));
     if constexpr (Map::kQuaternion) {
       Vec4 q = z;  // the product of all points of the orbit
       double shrink = 1;
@@ -212,7 +245,7 @@ class JuliaFractal final : public Shape {
         const double size2 = Map::squared_size(z);
         if (i > 0) q = quaternion_product(z, q);
         shrink /= Map::kDegree;
-        if (size2 > escape2_) {
+        if (size2 > slice_.escape2) {
           distance = shrink * std::sqrt(size2 / dot_in_order(q, q)) * std::log(size2);
           return false;
         }
@@ -226,7 +259,7 @@ class JuliaFractal final : public Shape {
       typename Map::Number q = z;  // the first factor, which counts even where no step is taken
       for (int i = 0; i < iterations_; ++i) {
         const double size2 = Map::squared_size(z);
-        if (size2 > escape2_) {
+        if (size2 > slice_.escape2) {
           const double slope =
               Map::scale(i) * dot(gradient(as_vector(q), as_vector(z)), direction);
           if (slope >= -kLeastDistance) return false;
@@ -244,6 +277,7 @@ class JuliaFractal final : public Shape {
 
   // Where the ray crosses the border within a step from a place on.
   Place border(Place place, double step, const Vec3& direction, bool was_inside) const {
+    if constexpr (Map::kQuaternion) return border_by_threes(place, step, direction, was_inside);
     do {
       step *= 0.5;
       const Vec3 middle = place.point + step * direction;
@@ -253,12 +287,40 @@ class JuliaFractal final : public Shape {
     return was_inside ? place : Place{place.point + step * direction, place.t + step};
   }
 
+  // The same, with the next three middles at once, whichever sides the first ones turn out to be on: a
+  // tree of them, in which the middle after k is 2 k where the walk stays, 2 k + 1 where it goes on.
+  Place border_by_threes(Place place, double step, const Vec3& direction, bool was_inside) const {
+    JuliaLanes lanes;
+    for (;;) {
+      Vec3 from[16], middle[8];
+      from[1] = place.point;
+      double half = step;
+      for (int k = 1; k < 8; ++k) {
+        if (std::has_single_bit(static_cast<unsigned>(k))) half *= 0.5;
+        middle[k] = from[k] + half * direction;
+        lanes.set(k, middle[k]);
+        from[2 * k] = from[k];
+        from[2 * k + 1] = middle[k];
+      }
+      lanes.set(0, middle[1]);
+      const unsigned in_set = lanes_in_set(map_, slice_, lanes);
+      for (int k = 1; k < 8;) {
+        step *= 0.5;
+        const bool goes_on = (in_set >> k & 1) == was_inside;
+        if (goes_on) place = {middle[k], place.t + step};
+        k = 2 * k + goes_on;
+        // On the inner side.
+        if (!(step > kLeastStep))
+          return was_inside ? place : Place{place.point + step * direction, place.t + step};
+      }
+    }
+  }
+
   Map map_;
-  Vec4 slice_;
-  double slice_distance_;
+  JuliaSlice slice_;
   int iterations_;
   double precision_;  // the shortest step
-  double radius_, escape2_;
+  double radius_;
   bool inverted_ = false;
   bool is_moved_ = false;  // else directions are of unit length, to the last bit
   Transform placed_;

@@ -24,8 +24,9 @@ inline double dot_in_order(const Vec4& a, const Vec4& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
 
-// Summed as povray does.
-inline double quaternion_squared_size(const Vec4& z) {
+// Summed as povray does. Of one number, or of several side by side.
+template <typename Numbers>
+[[gnu::always_inline]] inline auto quaternion_squared_size(const Numbers& z) {
   return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
 }
 
@@ -35,12 +36,17 @@ struct QuaternionSquare {
   static constexpr double kDegree = 2;
   Vec4 c;
 
-  Vec4 operator()(const Vec4& z) const {
-    return Vec4(z.x * z.x - (z.y * z.y + z.z * z.z + z.w * z.w), 2 * z.x * z.y, 2 * z.x * z.z,
-                2 * z.x * z.w) +
-           c;
+  template <typename Numbers>
+  [[gnu::always_inline]] Numbers operator()(const Numbers& z) const {
+    return {z.x * z.x - (z.y * z.y + z.z * z.z + z.w * z.w) + c.x, 2.0 * z.x * z.y + c.y,
+            2.0 * z.x * z.z + c.z, 2.0 * z.x * z.w + c.w};
   }
   static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
+  // How far the images of two numbers are apart at most, one of that size and one `apart` from it.
+  template <typename Number>
+  [[gnu::always_inline]] static Number spread(const Number& size, const Number& apart) {
+    return apart * (2 * size + apart);
+  }
   // The image of a tangent v at z, up to a factor.
   static Vec4 carry(const Vec4& z, const Vec4& v) {
     return {z.x * v.x - z.y * v.y - z.z * v.z - z.w * v.w, v.x * z.y + z.x * v.y,
@@ -54,11 +60,17 @@ struct QuaternionCube {
   static constexpr double kDegree = 3;
   Vec4 c;
 
-  Vec4 operator()(const Vec4& z) const {
-    const double x2 = z.x * z.x, d = z.y * z.y + z.z * z.z + z.w * z.w, factor = 3 * x2 - d;
-    return Vec4(z.x * (x2 - 3 * d), z.y * factor, z.z * factor, z.w * factor) + c;
+  template <typename Numbers>
+  [[gnu::always_inline]] Numbers operator()(const Numbers& z) const {
+    const auto x2 = z.x * z.x, d = z.y * z.y + z.z * z.z + z.w * z.w, factor = 3.0 * x2 - d;
+    return {z.x * (x2 - 3.0 * d) + c.x, z.y * factor + c.y, z.z * factor + c.z,
+            z.w * factor + c.w};
   }
   static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
+  template <typename Number>
+  [[gnu::always_inline]] static Number spread(const Number& size, const Number& apart) {
+    return apart * (3 * size * (size + apart) + apart * apart);
+  }
   static Vec4 carry(const Vec4& z, const Vec4& v) {
     const double t = 2 * (z.y * v.y + z.z * v.z + z.w * v.w);
     const double d = z.y * z.y + z.z * z.z + z.w * z.w;

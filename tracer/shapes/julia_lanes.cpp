@@ -1,0 +1,102 @@
+// Rows are never passed: what takes them is built in.
+#pragma GCC diagnostic ignored "-Wpsabi"
+#include "tracer/shapes/julia_lanes.h"
+
+#include <immintrin.h>
+
+#include "tracer/math/kernel.h"
+
+namespace durer {
+namespace {
+
+using Row = double __attribute__((vector_size(32)));
+using RowBits = int64_t __attribute__((vector_size(32)));
+using Pair = double __attribute__((vector_size(16)));
+using Floats = float __attribute__((vector_size(16)));
+constexpr int kRows = JuliaLanes::kCount / 4;
+constexpr unsigned kAll = (1u << JuliaLanes::kCount) - 1;
+
+struct Rows {
+  Row x, y, z, w;
+};
+
+DURER_INLINE void start(const JuliaSlice& slice, const JuliaLanes& lanes, Rows (&z)[kRows]) {
+  const Vec4& n = slice.normal;
+  for (int r = 0; r < kRows; ++r) {
+    const Row &px = reinterpret_cast<const Row*>(lanes.x)[r],
+              &py = reinterpret_cast<const Row*>(lanes.y)[r],
+              &pz = reinterpret_cast<const Row*>(lanes.z)[r];
+    z[r] = {px, py, pz, (slice.distance - n.x * px - n.y * py - n.z * pz) / n.w};
+  }
+}
+
+DURER_INLINE unsigned bits_of(const Row& row) {
+  return static_cast<unsigned>(_mm_movemask_pd(__builtin_shufflevector(row, row, 0, 1)) |
+                               _mm_movemask_pd(__builtin_shufflevector(row, row, 2, 3)) << 2);
+}
+
+template <typename Map>
+DURER_INLINE unsigned find_lanes_in_set(const Map& map, const JuliaSlice& slice,
+                                        const JuliaLanes& lanes) {
+  Rows z[kRows];
+  start(slice, lanes, z);
+  unsigned in_set = kAll;
+  for (int i = 0; i < slice.iterations; ++i) {
+    for (int r = 0; r < kRows; ++r) {
+      const RowBits gone = quaternion_squared_size(z[r]) > slice.escape2;
+      in_set &= ~(bits_of((Row)gone) << 4 * r);
+      z[r] = map(z[r]);
+    }
+    if (!in_set) break;
+  }
+  return in_set;
+}
+
+template <typename Map>
+DURER_INLINE unsigned find_balls_in_set(const Map& map, const JuliaSlice& slice,
+                                        const JuliaLanes& lanes, double radius) {
+  // More than the rounding of a step, in double precision for orbits of quaternions smaller than 2 and in
+  // single precision for the bounds of their sizes.
+  constexpr float kRounding = 1e-13f, kWiden = 1 + 1e-6f;
+  const float first = static_cast<float>(radius) * kWiden + kRounding;
+  const float limit = static_cast<float>(std::sqrt(slice.escape2)) * (1 - 1e-5f);
+  Rows z[kRows];
+  start(slice, lanes, z);
+  Floats apart[kRows];
+  for (Floats& a : apart) a = Floats{first, first, first, first};
+  unsigned held = kAll;
+  for (int i = 0; i < slice.iterations; ++i) {
+    for (int r = 0; r < kRows; ++r) {
+      const Floats size =
+          _mm_sqrt_ps(__builtin_convertvector(quaternion_squared_size(z[r]), Floats));
+      const auto is_held = size + apart[r] <= limit;
+      held &= ~(0xfu << 4 * r) | static_cast<unsigned>(_mm_movemask_ps((Floats)is_held))
+                                     << 4 * r;
+      apart[r] = Map::spread(size, apart[r]) * kWiden + kRounding;
+      z[r] = map(z[r]);
+    }
+    if (!(held & 1)) break;
+  }
+  return held;
+}
+
+}  // namespace
+
+DURER_KERNEL unsigned lanes_in_set(const QuaternionSquare& map, const JuliaSlice& slice,
+                                   const JuliaLanes& lanes) {
+  return find_lanes_in_set(map, slice, lanes);
+}
+DURER_KERNEL unsigned lanes_in_set(const QuaternionCube& map, const JuliaSlice& slice,
+                                   const JuliaLanes& lanes) {
+  return find_lanes_in_set(map, slice, lanes);
+}
+DURER_KERNEL unsigned balls_in_set(const QuaternionSquare& map, const JuliaSlice& slice,
+                                   const JuliaLanes& lanes, double radius) {
+  return find_balls_in_set(map, slice, lanes, radius);
+}
+DURER_KERNEL unsigned balls_in_set(const QuaternionCube& map, const JuliaSlice& slice,
+                                   const JuliaLanes& lanes, double radius) {
+  return find_balls_in_set(map, slice, lanes, radius);
+}
+
+}  // namespace durer
