@@ -9,7 +9,7 @@
 #include <bit>
 #include <vector>
 
-#include "tracer/shapes/julia_lanes.h"
+#include "tracer/shapes/quaternion_walk.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
@@ -61,7 +61,10 @@ class JuliaFractal final : public Shape {
     }
     for (;;) {
       if constexpr (Map::kQuaternion) {
-        if (was_inside && !cross_inside(local.direction, end, point, t)) return;
+        const QuaternionWalk walk{local.direction, end, precision_, point, t, distance};
+        const bool comes_to_border =
+            was_inside ? cross_inside(walk) : approach_set(map_, slice_, walk);
+        if (!comes_to_border) return;
       }
       const double step = std::max(distance, precision_);
       t += step;
@@ -201,7 +204,9 @@ class JuliaFractal final : public Shape {
 
   // Walks on inside, in steps of the precision, to the last point before one that is outside. False: it
   // comes to the end of the ray.
-  bool cross_inside(const Vec3& direction, double end, Vec3& point, double& t) const {
+  bool cross_inside(const QuaternionWalk& walk) const {
+    const Vec3& direction = walk.direction;
+    Vec3& point = walk.point;
     const double spacing = precision_ * length(direction) / std::abs(slice_.normal.w);
     JuliaLanes lanes;
     for (int stride = 2;;) {
@@ -221,8 +226,8 @@ class JuliaFractal final : public Shape {
         passed = stride * std::countr_one(balls_in_set(map_, slice_, lanes, radius));
       }
       for (int i = 0; i < passed; ++i) {
-        t += precision_;
-        if (!(t < end)) return false;
+        walk.t += precision_;
+        if (!(walk.t < walk.end)) return false;
         point += precision_ * direction;
       }
       if (passed == stride * JuliaLanes::kCount)
@@ -237,22 +242,10 @@ class JuliaFractal final : public Shape {
   // Whether a point is in the set, and how far the set is along the ray.
   bool march(const Vec3& point, const Vec3& direction, double& distance) const {
     distance = precision_;
-    typename Map::Number z(slice_.start(point));
     if constexpr (Map::kQuaternion) {
-      Vec4 q = z;  // the product of all points of the orbit
-      double shrink = 1;
-      for (int i = 0; i < iterations_; ++i) {
-        const double size2 = Map::squared_size(z);
-        if (i > 0) q = quaternion_product(z, q);
-        shrink /= Map::kDegree;
-        if (size2 > slice_.escape2) {
-          distance = shrink * std::sqrt(size2 / dot_in_order(q, q)) * std::log(size2);
-          return false;
-        }
-        z = map_(z);
-      }
-      return true;
+      return look_for_set(map_, slice_, point, distance);
     } else {
+      typename Map::Number z(slice_.start(point));
       Vec4* orbit = nullptr;
       if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
       remember(orbit, 0, z);
