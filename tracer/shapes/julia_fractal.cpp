@@ -205,8 +205,9 @@ class JuliaFractal final : public Shape {
   // Walks on inside, in steps of the precision, to the last point before one that is outside. False: it
   // comes to the end of the ray.
   bool cross_inside(const QuaternionWalk& walk) const {
-    const Vec3& direction = walk.direction;
-    Vec3& point = walk.point;
+    const Vec3 &direction = walk.direction, step = precision_ * direction;
+    Vec3 point = walk.point;
+    double t = walk.t;
     const double spacing = precision_ * length(direction) / std::abs(slice_.normal.w);
     JuliaLanes lanes;
     for (int stride = 2;;) {
@@ -214,7 +215,7 @@ class JuliaFractal final : public Shape {
       if (stride == 1) {
         Vec3 next = point;
         for (int lane = 0; lane < JuliaLanes::kCount; ++lane) {
-          next += precision_ * direction;
+          next += step;
           lanes.set(lane, next);
         }
         passed = std::countr_one(lanes_in_set(map_, slice_, lanes));
@@ -226,17 +227,20 @@ class JuliaFractal final : public Shape {
         passed = stride * std::countr_one(balls_in_set(map_, slice_, lanes, radius));
       }
       for (int i = 0; i < passed; ++i) {
-        walk.t += precision_;
-        if (!(walk.t < walk.end)) return false;
-        point += precision_ * direction;
+        t += precision_;
+        if (!(t < walk.end)) return false;
+        point += step;
       }
       if (passed == stride * JuliaLanes::kCount)
         stride = std::min(2 * stride, kLongestBalls);
       else if (stride > 1)
         stride /= 2;
       else
-        return true;
+        break;
     }
+    walk.point = point;
+    walk.t = t;
+    return true;
   }
 
   // Whether a point is in the set, and how far the set is along the ray.

@@ -43,9 +43,10 @@ DURER_INLINE unsigned find_lanes_in_set(const Map& map, const JuliaSlice& slice,
   unsigned in_set = kAll;
   for (int i = 0; i < slice.iterations; ++i) {
     for (int r = 0; r < kRows; ++r) {
-      const RowBits gone = quaternion_squared_size(z[r]) > slice.escape2;
+      const QuaternionSquares squares(z[r]);
+      const RowBits gone = squares.sum() > slice.escape2;
       in_set &= ~(bits_of((Row)gone) << 4 * r);
-      z[r] = map(z[r]);
+      z[r] = map.image(z[r], squares);
     }
     if (!in_set) break;
   }
@@ -67,13 +68,13 @@ DURER_INLINE unsigned find_balls_in_set(const Map& map, const JuliaSlice& slice,
   unsigned held = kAll;
   for (int i = 0; i < slice.iterations; ++i) {
     for (int r = 0; r < kRows; ++r) {
-      const Floats size =
-          _mm_sqrt_ps(__builtin_convertvector(quaternion_squared_size(z[r]), Floats));
+      const QuaternionSquares squares(z[r]);
+      const Floats size = _mm_sqrt_ps(__builtin_convertvector(squares.sum(), Floats));
       const auto is_held = size + apart[r] <= limit;
       held &= ~(0xfu << 4 * r) | static_cast<unsigned>(_mm_movemask_ps((Floats)is_held))
                                      << 4 * r;
       apart[r] = Map::spread(size, apart[r]) * kWiden + kRounding;
-      z[r] = map(z[r]);
+      z[r] = map.image(z[r], squares);
     }
     if (!(held & 1)) break;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <type_traits>
 
 #include "tracer/scene/shapes.h"
 
@@ -24,11 +25,19 @@ inline double dot_in_order(const Vec4& a, const Vec4& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
 
-// Summed as povray does. Of one number, or of several side by side.
+// What maps and sizes are made of: of one number, or of several side by side.
+template <typename Number>
+struct QuaternionSquares {
+  Number real, rest;
+
+  template <typename Numbers>
+  [[gnu::always_inline]] explicit QuaternionSquares(const Numbers& z)
+      : real(z.x * z.x), rest(z.y * z.y + z.z * z.z + z.w * z.w) {}
+  // Summed as povray does.
+  [[gnu::always_inline]] Number sum() const { return real + rest; }
+};
 template <typename Numbers>
-[[gnu::always_inline]] inline auto quaternion_squared_size(const Numbers& z) {
-  return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
-}
+QuaternionSquares(const Numbers& z) -> QuaternionSquares<std::decay_t<decltype(z.x * z.x)>>;
 
 struct QuaternionSquare {
   using Number = Vec4;
@@ -36,12 +45,13 @@ struct QuaternionSquare {
   static constexpr double kDegree = 2;
   Vec4 c;
 
-  template <typename Numbers>
-  [[gnu::always_inline]] Numbers operator()(const Numbers& z) const {
-    return {z.x * z.x - (z.y * z.y + z.z * z.z + z.w * z.w) + c.x, 2.0 * z.x * z.y + c.y,
-            2.0 * z.x * z.z + c.z, 2.0 * z.x * z.w + c.w};
+  Vec4 operator()(const Vec4& z) const { return image(z, QuaternionSquares(z)); }
+  template <typename Numbers, typename Squares>
+  [[gnu::always_inline]] Numbers image(const Numbers& z, const Squares& squares) const {
+    return {squares.real - squares.rest + c.x, 2.0 * z.x * z.y + c.y, 2.0 * z.x * z.z + c.z,
+            2.0 * z.x * z.w + c.w};
   }
-  static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
+  static double squared_size(const Vec4& z) { return QuaternionSquares(z).sum(); }
   // How far the images of two numbers are apart at most, one of that size and one `apart` from it.
   template <typename Number>
   [[gnu::always_inline]] static Number spread(const Number& size, const Number& apart) {
@@ -60,13 +70,14 @@ struct QuaternionCube {
   static constexpr double kDegree = 3;
   Vec4 c;
 
-  template <typename Numbers>
-  [[gnu::always_inline]] Numbers operator()(const Numbers& z) const {
-    const auto x2 = z.x * z.x, d = z.y * z.y + z.z * z.z + z.w * z.w, factor = 3.0 * x2 - d;
-    return {z.x * (x2 - 3.0 * d) + c.x, z.y * factor + c.y, z.z * factor + c.z,
-            z.w * factor + c.w};
+  Vec4 operator()(const Vec4& z) const { return image(z, QuaternionSquares(z)); }
+  template <typename Numbers, typename Squares>
+  [[gnu::always_inline]] Numbers image(const Numbers& z, const Squares& squares) const {
+    const auto factor = 3.0 * squares.real - squares.rest;
+    return {z.x * (squares.real - 3.0 * squares.rest) + c.x, z.y * factor + c.y,
+            z.z * factor + c.z, z.w * factor + c.w};
   }
-  static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
+  static double squared_size(const Vec4& z) { return QuaternionSquares(z).sum(); }
   template <typename Number>
   [[gnu::always_inline]] static Number spread(const Number& size, const Number& apart) {
     return apart * (3 * size * (size + apart) + apart * apart);

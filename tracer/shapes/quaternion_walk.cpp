@@ -32,18 +32,19 @@ DURER_INLINE bool look(const Map& map, const JuliaSlice& slice, const Vec3& poin
                        double& distance) {
   Vec4 z = slice.start(point);
   Row q = {z.x, z.y, z.z, z.w};  // the product of all points of the orbit
-  double shrink = 1 / Map::kDegree, size2 = quaternion_squared_size(z);
+  QuaternionSquares squares(z);
+  double shrink = 1 / Map::kDegree;
   for (int left = slice.iterations;; --left) {
     if (left <= 0) return true;
-    if (size2 > slice.escape2) break;
-    z = map(z);
-    size2 = quaternion_squared_size(z);
+    if (squares.sum() > slice.escape2) break;
+    z = map.image(z, squares);
+    squares = QuaternionSquares(z);
     q = product(Row{z.x, z.y, z.z, z.w}, q);
     shrink /= Map::kDegree;
   }
-  const Row squares = q * q;
-  distance = shrink * std::sqrt(size2 / (squares[0] + squares[1] + squares[2] + squares[3])) *
-             std::log(size2);
+  const Row q2 = q * q;
+  const double size2 = squares.sum();
+  distance = shrink * std::sqrt(size2 / (q2[0] + q2[1] + q2[2] + q2[3])) * std::log(size2);
   return false;
 }
 
