@@ -15,10 +15,8 @@
 namespace durer {
 namespace {
 
-constexpr double kLeastStep = 1e-7;  // of the search for the border
 constexpr double kLeastDistance = 1e-8;
 constexpr double kLongestStride = 30;  // in units of the precision
-constexpr int kLongestBalls = 128;     // likewise, what is known to be inside at once
 
 // The orbit that this thread followed last. Where it has left before `count` points, the rest is of
 // orbits before it: POV-Ray makes the normals of the complex functions of such mixtures.
@@ -49,21 +47,21 @@ class JuliaFractal final : public Shape {
     const LocalRay local = local_ray(ray);
     double t, end;
     if (!cross_sphere(local, t, end)) return;
-    t = std::max(t, kLeastStep);
+    t = std::max(t, kLeastJuliaStep);
     // The point is moved on step by step, as in POV-Ray: orbits blow up its last digits.
     Vec3 point = local.at(t);
     double distance;
     bool was_inside = march(point, local.direction, distance);
     if (was_inside) {
-      t += 2 * kLeastStep;
-      point += 2 * kLeastStep * local.direction;
+      t += 2 * kLeastJuliaStep;
+      point += 2 * kLeastJuliaStep * local.direction;
       was_inside = march(point, local.direction, distance);
     }
     for (;;) {
       if constexpr (Map::kQuaternion) {
         const QuaternionWalk walk{local.direction, end, precision_, point, t, distance};
         const bool comes_to_border =
-            was_inside ? cross_inside(walk) : approach_set(map_, slice_, walk);
+            was_inside ? cross_set(map_, slice_, walk) : approach_set(map_, slice_, walk);
         if (!comes_to_border) return;
       }
       const double step = std::max(distance, precision_);
@@ -134,11 +132,6 @@ class JuliaFractal final : public Shape {
   struct LocalRay : Ray {
     double scale;  // from depths along it to those of the ray
   };
-  // A point of the walk along a ray, as it was come to.
-  struct Place {
-    Vec3 point;
-    double t;
-  };
 
   LocalRay local_ray(const ShapeRay& ray) const {
     const Vec3 direction = placed_.inverse_direction(ray.direction);
@@ -178,7 +171,7 @@ class JuliaFractal final : public Shape {
   // With how far the walk has come off the straight line by rounding. Of complex functions, with the
   // normal, which depends on the points that the ray has tried: the first two of its components, their
   // absolute values adding up to 1, and the third one's sign.
-  void push(const Place& place, const LocalRay& ray, HitStack& out) const {
+  void push(const JuliaPlace& place, const LocalRay& ray, HitStack& out) const {
     const double t = place.t * ray.scale;
     if constexpr (Map::kMixesUpStart) {
       is_in_set(place.point);
@@ -200,47 +193,6 @@ class JuliaFractal final : public Shape {
     return {q.x * z.x + q.y * z.y + q.z * z.z + q.w * z.w,
             -q.y * z.x + q.x * z.y - q.w * z.z + q.z * z.w,
             -q.z * z.x - q.w * z.y + q.x * z.z + q.y * z.w};
-  }
-
-  // Walks on inside, in steps of the precision, to the last point before one that is outside. False: it
-  // comes to the end of the ray.
-  bool cross_inside(const QuaternionWalk& walk) const {
-    const Vec3 &direction = walk.direction, step = precision_ * direction;
-    Vec3 point = walk.point;
-    double t = walk.t;
-    const double spacing = precision_ * length(direction) / std::abs(slice_.normal.w);
-    JuliaLanes lanes;
-    for (int stride = 2;;) {
-      int passed;
-      if (stride == 1) {
-        Vec3 next = point;
-        for (int lane = 0; lane < JuliaLanes::kCount; ++lane) {
-          next += step;
-          lanes.set(lane, next);
-        }
-        passed = std::countr_one(lanes_in_set(map_, slice_, lanes));
-      } else {
-        // Each lane for as many steps, half of them before its point, and half after.
-        for (int lane = 0; lane < JuliaLanes::kCount; ++lane)
-          lanes.set(lane, point + (lane * stride + 0.5 * (stride + 1)) * precision_ * direction);
-        const double radius = (0.5 * (stride - 1) + 1e-3) * spacing;
-        passed = stride * std::countr_one(balls_in_set(map_, slice_, lanes, radius));
-      }
-      for (int i = 0; i < passed; ++i) {
-        t += precision_;
-        if (!(t < walk.end)) return false;
-        point += step;
-      }
-      if (passed == stride * JuliaLanes::kCount)
-        stride = std::min(2 * stride, kLongestBalls);
-      else if (stride > 1)
-        stride /= 2;
-      else
-        break;
-    }
-    walk.point = point;
-    walk.t = t;
-    return true;
   }
 
   // Whether a point is in the set, and how far the set is along the ray.
@@ -273,44 +225,16 @@ class JuliaFractal final : public Shape {
   }
 
   // Where the ray crosses the border within a step from a place on.
-  Place border(Place place, double step, const Vec3& direction, bool was_inside) const {
-    if constexpr (Map::kQuaternion) return border_by_threes(place, step, direction, was_inside);
+  JuliaPlace border(JuliaPlace place, double step, const Vec3& direction, bool was_inside) const {
+    if constexpr (Map::kQuaternion)
+      return find_border(map_, slice_, place, step, direction, was_inside);
     do {
       step *= 0.5;
       const Vec3 middle = place.point + step * direction;
       if (is_in_set(middle) == was_inside) place = {middle, place.t + step};
-    } while (step > kLeastStep);
+    } while (step > kLeastJuliaStep);
     // On the inner side.
-    return was_inside ? place : Place{place.point + step * direction, place.t + step};
-  }
-
-  // The same, with the next three middles at once, whichever sides the first ones turn out to be on: a
-  // tree of them, in which the middle after k is 2 k where the walk stays, 2 k + 1 where it goes on.
-  Place border_by_threes(Place place, double step, const Vec3& direction, bool was_inside) const {
-    JuliaLanes lanes;
-    for (;;) {
-      Vec3 from[16], middle[8];
-      from[1] = place.point;
-      double half = step;
-      for (int k = 1; k < 8; ++k) {
-        if (std::has_single_bit(static_cast<unsigned>(k))) half *= 0.5;
-        middle[k] = from[k] + half * direction;
-        lanes.set(k, middle[k]);
-        from[2 * k] = from[k];
-        from[2 * k + 1] = middle[k];
-      }
-      lanes.set(0, middle[1]);
-      const unsigned in_set = lanes_in_set(map_, slice_, lanes);
-      for (int k = 1; k < 8;) {
-        step *= 0.5;
-        const bool goes_on = (in_set >> k & 1) == was_inside;
-        if (goes_on) place = {middle[k], place.t + step};
-        k = 2 * k + goes_on;
-        // On the inner side.
-        if (!(step > kLeastStep))
-          return was_inside ? place : Place{place.point + step * direction, place.t + step};
-      }
-    }
+    return was_inside ? place : JuliaPlace{place.point + step * direction, place.t + step};
   }
 
   Map map_;

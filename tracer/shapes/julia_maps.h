@@ -39,6 +39,28 @@ struct QuaternionSquares {
 template <typename Numbers>
 QuaternionSquares(const Numbers& z) -> QuaternionSquares<std::decay_t<decltype(z.x * z.x)>>;
 
+constexpr double kLeastJuliaStep = 1e-7;  // of the search for the border
+
+// A point of the walk along a ray, as it was come to.
+struct JuliaPlace {
+  Vec3 point;
+  double t;
+};
+
+// The slice of the fourfold space that is seen, and how far its points are followed.
+struct JuliaSlice {
+  Vec4 normal;
+  double distance;
+  int iterations;
+  double escape2;  // squares beyond have left
+
+  // The point in fourfold space.
+  Vec4 start(const Vec3& p) const {
+    return {p.x, p.y, p.z,
+            (distance - normal.x * p.x - normal.y * p.y - normal.z * p.z) / normal.w};
+  }
+};
+
 struct QuaternionSquare {
   using Number = Vec4;
   static constexpr bool kQuaternion = true, kMixesUpStart = false;

@@ -3,19 +3,18 @@
 #include "tracer/shapes/quaternion_walk.h"
 
 #include <algorithm>
+#include <bit>
 
-#include "tracer/math/kernel.h"
+#include "tracer/shapes/julia_lanes.h"
 
 namespace durer {
 namespace {
 
-// A quaternion as one number of the processor's.
-using Row = double __attribute__((vector_size(32)));
-using RowBits = int64_t __attribute__((vector_size(32)));
+constexpr int kLongestBalls = 128;  // steps that are known to be inside at once
 
 constexpr RowBits kFirstSign = {INT64_MIN, 0, 0, 0};
 
-// quaternion_product(), its sums in the same order.
+// quaternion_product() of quaternions as rows, its sums in the same order.
 DURER_INLINE Row product(const Row& a, const Row& b) {
   const Row second = __builtin_shufflevector(a, a, 1, 1, 2, 3) *
                      __builtin_shufflevector(b, b, 1, 0, 0, 0);
@@ -67,6 +66,77 @@ DURER_INLINE bool approach(const Map& map, const JuliaSlice& slice, const Quater
   return true;
 }
 
+template <typename Map>
+DURER_INLINE bool cross(const Map& map, const JuliaSlice& slice, const QuaternionWalk& walk) {
+  const Vec3 step = walk.precision * walk.direction;
+  const double spacing = length(step) / std::abs(slice.normal.w);  // in the fourfold space
+  Vec3 point = walk.point;
+  double t = walk.t;
+  JuliaLanes lanes;
+  for (int stride = 2;;) {
+    int passed;
+    if (stride == 1) {
+      Vec3 next = point;
+      for (int lane = 0; lane < JuliaLanes::kCount; ++lane) {
+        next += step;
+        lanes.set(lane, next);
+      }
+      passed = std::countr_one(lanes_in_set(map, slice, lanes));
+    } else {
+      // Each lane for as many steps, half of them before its point, and half after.
+      for (int lane = 0; lane < JuliaLanes::kCount; ++lane)
+        lanes.set(lane, point + (lane * stride + 0.5 * (stride + 1)) * step);
+      const double radius = (0.5 * (stride - 1) + 1e-3) * spacing;
+      passed = stride * std::countr_one(balls_in_set(map, slice, lanes, radius));
+    }
+    for (int i = 0; i < passed; ++i) {
+      t += walk.precision;
+      if (!(t < walk.end)) return false;
+      point += step;
+    }
+    if (passed == stride * JuliaLanes::kCount)
+      stride = std::min(2 * stride, kLongestBalls);
+    else if (stride > 1)
+      stride /= 2;
+    else
+      break;
+  }
+  walk.point = point;
+  walk.t = t;
+  return true;
+}
+
+// Three halvings at once: all middles that they may come to, whichever sides the first ones turn out to
+// be on. They are a tree: the middle after k is 2 k where the search stays, 2 k + 1 where it goes on.
+template <typename Map>
+DURER_INLINE JuliaPlace border(const Map& map, const JuliaSlice& slice, JuliaPlace place,
+                               double step, const Vec3& direction, bool was_inside) {
+  JuliaLanes lanes;
+  for (;;) {
+    Vec3 from[16], middle[8];
+    from[1] = place.point;
+    double half = step;
+    for (int k = 1; k < 8; ++k) {
+      if (std::has_single_bit(static_cast<unsigned>(k))) half *= 0.5;
+      middle[k] = from[k] + half * direction;
+      lanes.set(k, middle[k]);
+      from[2 * k] = from[k];
+      from[2 * k + 1] = middle[k];
+    }
+    lanes.set(0, middle[1]);
+    const unsigned in_set = lanes_in_set(map, slice, lanes);
+    for (int k = 1; k < 8;) {
+      step *= 0.5;
+      const bool goes_on = (in_set >> k & 1) == was_inside;
+      if (goes_on) place = {middle[k], place.t + step};
+      k = 2 * k + goes_on;
+      // On the inner side.
+      if (!(step > kLeastJuliaStep))
+        return was_inside ? place : JuliaPlace{place.point + step * direction, place.t + step};
+    }
+  }
+}
+
 }  // namespace
 
 DURER_KERNEL bool look_for_set(const QuaternionSquare& map, const JuliaSlice& slice,
@@ -85,6 +155,27 @@ DURER_KERNEL bool approach_set(const QuaternionSquare& map, const JuliaSlice& sl
 DURER_KERNEL bool approach_set(const QuaternionCube& map, const JuliaSlice& slice,
                                const QuaternionWalk& walk) {
   return approach(map, slice, walk);
+}
+
+
+DURER_KERNEL bool cross_set(const QuaternionSquare& map, const JuliaSlice& slice,
+                            const QuaternionWalk& walk) {
+  return cross(map, slice, walk);
+}
+DURER_KERNEL bool cross_set(const QuaternionCube& map, const JuliaSlice& slice,
+                            const QuaternionWalk& walk) {
+  return cross(map, slice, walk);
+}
+
+DURER_KERNEL JuliaPlace find_border(const QuaternionSquare& map, const JuliaSlice& slice,
+                                    const JuliaPlace& place, double step, const Vec3& direction,
+                                    bool was_inside) {
+  return border(map, slice, place, step, direction, was_inside);
+}
+DURER_KERNEL JuliaPlace find_border(const QuaternionCube& map, const JuliaSlice& slice,
+                                    const JuliaPlace& place, double step, const Vec3& direction,
+                                    bool was_inside) {
+  return border(map, slice, place, step, direction, was_inside);
 }
 
 }  // namespace durer
