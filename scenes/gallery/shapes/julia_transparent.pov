@@ -9,11 +9,7 @@ background { rgb <0.1, 0.2, 0.3> }
 julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 10 precision 1000 translate <-3, 1.8, 0> }
 julia_fractal { <0.4, 0.1, 0.1, -0.2> quaternion cube max_iteration 8 precision 300 rotate 40*y translate <0, 1.8, 0> }
 julia_fractal { <0, 0, 0, 0> max_iteration 20 precision 100 slice <0.2, 0.1, 0, 0.05>, 0.1 translate <3, 1.8, 0> }
-difference {
-  julia_fractal { <-0.083, 0, -0.83, -0.025> max_iteration 8 precision 200 slice <0.1, 0.2, 0, 1>, 0.1 }
-  plane { z, 0 }
-  rotate 20*y translate <-3, -1.8, 0>
-}
+julia_fractal { <-0.2, 0.4, -0.4, -0.4> max_iteration 9 precision 200 slice <0.1, 0.2, 0, 1>, 0.1 translate <-3, -1.8, 0> }
 difference {
   box { -1, <1, 1, 0.5> pigment { rgbt <0.4, 0.5, 0.9, 0.6> } }
   julia_fractal { <-0.083, 0, -0.83, -0.025> cube max_iteration 7 precision 150 scale 0.8 }
