@@ -9,13 +9,12 @@
 #include <bit>
 #include <vector>
 
-#include "tracer/shapes/julia_maps.h"
+#include "tracer/shapes/quaternion_walk.h"
 #include "tracer/shapes/shape.h"
 
 namespace durer {
 namespace {
 
-constexpr double kLeastStep = 1e-7;  // of the search for the border
 constexpr double kLeastDistance = 1e-8;
 constexpr double kLongestStride = 30;  // in units of the precision
 
@@ -32,13 +31,13 @@ class JuliaFractal final : public Shape {
  public:
   JuliaFractal(const JuliaFractalNode& node, const Map& map)
       : map_(map),
-        slice_(node.slice / std::sqrt(glm::dot(node.slice, node.slice))),
-        slice_distance_(node.slice_distance),
+        slice_{node.slice / std::sqrt(glm::dot(node.slice, node.slice)), node.slice_distance,
+               node.max_iteration, 16},
         iterations_(node.max_iteration),
         precision_(1 / node.precision) {
     const double size = std::sqrt(glm::dot(node.parameter, node.parameter));
     radius_ = Map::kQuaternion ? std::min(2.0, 1 + size + 1e-7) : 4;
-    escape2_ = Map::kQuaternion ? radius_ * radius_ + 1e-7 : 16;
+    if (Map::kQuaternion) slice_.escape2 = radius_ * radius_ + 1e-7;
   }
 
   Bounds bounds() const override { return placed_.bounds({Vec3(-radius_), Vec3(radius_)}); }
@@ -48,17 +47,23 @@ class JuliaFractal final : public Shape {
     const LocalRay local = local_ray(ray);
     double t, end;
     if (!cross_sphere(local, t, end)) return;
-    t = std::max(t, kLeastStep);
+    t = std::max(t, kLeastJuliaStep);
     // The point is moved on step by step, as in POV-Ray: orbits blow up its last digits.
     Vec3 point = local.at(t);
     double distance;
     bool was_inside = march(point, local.direction, distance);
     if (was_inside) {
-      t += 2 * kLeastStep;
-      point += 2 * kLeastStep * local.direction;
+      t += 2 * kLeastJuliaStep;
+      point += 2 * kLeastJuliaStep * local.direction;
       was_inside = march(point, local.direction, distance);
     }
     for (;;) {
+      if constexpr (Map::kQuaternion) {
+        const QuaternionWalk walk{local.direction, end, precision_, point, t, distance};
+        const bool comes_to_border =
+            was_inside ? cross_set(map_, slice_, walk) : approach_set(map_, slice_, walk);
+        if (!comes_to_border) return;
+      }
       const double step = std::max(distance, precision_);
       t += step;
       if (!(t < end)) return;
@@ -89,7 +94,7 @@ class JuliaFractal final : public Shape {
       return placed_.normal({hit.u, hit.v, hit.part ? -third : third});
     }
     if constexpr (Map::kQuaternion) {
-      Vec4 z = start(placed_.inverse_point(world_point));
+      Vec4 z = slice_.start(placed_.inverse_point(world_point));
       Vec4 v[3] = {Vec4(1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0)};
       for (int k = 0; k < iterations_; ++k) {
         for (Vec4& tangent : v) tangent = Map::carry(z, tangent);
@@ -97,7 +102,7 @@ class JuliaFractal final : public Shape {
       }
       return placed_.normal({dot_in_order(v[0], z), dot_in_order(v[1], z), dot_in_order(v[2], z)});
     } else {
-      typename Map::Number z(start(placed_.inverse_point(world_point)));
+      typename Map::Number z(slice_.start(placed_.inverse_point(world_point)));
       typename Map::Number q(Vec4(1, 0, 0, 0));
       for (int k = 0; k < iterations_; ++k) {
         const auto factor = map_.factor_of_step(z, k);
@@ -127,11 +132,6 @@ class JuliaFractal final : public Shape {
   struct LocalRay : Ray {
     double scale;  // from depths along it to those of the ray
   };
-  // A point of the walk along a ray, as it was come to.
-  struct Place {
-    Vec3 point;
-    double t;
-  };
 
   LocalRay local_ray(const ShapeRay& ray) const {
     const Vec3 direction = placed_.inverse_direction(ray.direction);
@@ -150,19 +150,13 @@ class JuliaFractal final : public Shape {
     return true;
   }
 
-  // The point in fourfold space.
-  Vec4 start(const Vec3& p) const {
-    return {p.x, p.y, p.z,
-            (slice_distance_ - slice_.x * p.x - slice_.y * p.y - slice_.z * p.z) / slice_.w};
-  }
-
   bool is_in_set(const Vec3& p) const {
     Vec4* orbit = nullptr;
     if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
-    typename Map::Number z(start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p));
+    typename Map::Number z(slice_.start(Map::kMixesUpStart ? Vec3(p.x, p.y, p.y) : p));
     remember(orbit, 0, z);
     for (int i = 0; i < iterations_; ++i) {
-      if (Map::squared_size(z) > escape2_) return false;
+      if (Map::squared_size(z) > slice_.escape2) return false;
       z = map_(z);
       remember(orbit, i + 1, z);
     }
@@ -177,7 +171,7 @@ class JuliaFractal final : public Shape {
   // With how far the walk has come off the straight line by rounding. Of complex functions, with the
   // normal, which depends on the points that the ray has tried: the first two of its components, their
   // absolute values adding up to 1, and the third one's sign.
-  void push(const Place& place, const LocalRay& ray, HitStack& out) const {
+  void push(const JuliaPlace& place, const LocalRay& ray, HitStack& out) const {
     const double t = place.t * ray.scale;
     if constexpr (Map::kMixesUpStart) {
       is_in_set(place.point);
@@ -204,29 +198,17 @@ class JuliaFractal final : public Shape {
   // Whether a point is in the set, and how far the set is along the ray.
   bool march(const Vec3& point, const Vec3& direction, double& distance) const {
     distance = precision_;
-    typename Map::Number z(start(point));
     if constexpr (Map::kQuaternion) {
-      Vec4 q = z;  // the product of all points of the orbit
-      double shrink = 1;
-      for (int i = 0; i < iterations_; ++i) {
-        const double size2 = Map::squared_size(z);
-        if (i > 0) q = quaternion_product(z, q);
-        shrink /= Map::kDegree;
-        if (size2 > escape2_) {
-          distance = shrink * std::sqrt(size2 / dot_in_order(q, q)) * std::log(size2);
-          return false;
-        }
-        z = map_(z);
-      }
-      return true;
+      return look_for_set(map_, slice_, point, distance);
     } else {
+      typename Map::Number z(slice_.start(point));
       Vec4* orbit = nullptr;
       if constexpr (Map::kMixesUpStart) orbit = remembered_orbit(iterations_ + 1);
       remember(orbit, 0, z);
       typename Map::Number q = z;  // the first factor, which counts even where no step is taken
       for (int i = 0; i < iterations_; ++i) {
         const double size2 = Map::squared_size(z);
-        if (size2 > escape2_) {
+        if (size2 > slice_.escape2) {
           const double slope =
               Map::scale(i) * dot(gradient(as_vector(q), as_vector(z)), direction);
           if (slope >= -kLeastDistance) return false;
@@ -243,22 +225,23 @@ class JuliaFractal final : public Shape {
   }
 
   // Where the ray crosses the border within a step from a place on.
-  Place border(Place place, double step, const Vec3& direction, bool was_inside) const {
+  JuliaPlace border(JuliaPlace place, double step, const Vec3& direction, bool was_inside) const {
+    if constexpr (Map::kQuaternion)
+      return find_border(map_, slice_, place, step, direction, was_inside);
     do {
       step *= 0.5;
       const Vec3 middle = place.point + step * direction;
       if (is_in_set(middle) == was_inside) place = {middle, place.t + step};
-    } while (step > kLeastStep);
+    } while (step > kLeastJuliaStep);
     // On the inner side.
-    return was_inside ? place : Place{place.point + step * direction, place.t + step};
+    return was_inside ? place : JuliaPlace{place.point + step * direction, place.t + step};
   }
 
   Map map_;
-  Vec4 slice_;
-  double slice_distance_;
+  JuliaSlice slice_;
   int iterations_;
   double precision_;  // the shortest step
-  double radius_, escape2_;
+  double radius_;
   bool inverted_ = false;
   bool is_moved_ = false;  // else directions are of unit length, to the last bit
   Transform placed_;

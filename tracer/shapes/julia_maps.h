@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <type_traits>
 
 #include "tracer/scene/shapes.h"
 
@@ -24,10 +25,41 @@ inline double dot_in_order(const Vec4& a, const Vec4& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
 
-// Summed as povray does.
-inline double quaternion_squared_size(const Vec4& z) {
-  return z.x * z.x + (z.y * z.y + z.z * z.z + z.w * z.w);
-}
+// What maps and sizes are made of: of one number, or of several side by side.
+template <typename Number>
+struct QuaternionSquares {
+  Number real, rest;
+
+  template <typename Numbers>
+  [[gnu::always_inline]] explicit QuaternionSquares(const Numbers& z)
+      : real(z.x * z.x), rest(z.y * z.y + z.z * z.z + z.w * z.w) {}
+  // Summed as povray does.
+  [[gnu::always_inline]] Number sum() const { return real + rest; }
+};
+template <typename Numbers>
+QuaternionSquares(const Numbers& z) -> QuaternionSquares<std::decay_t<decltype(z.x * z.x)>>;
+
+constexpr double kLeastJuliaStep = 1e-7;  // of the search for the border
+
+// A point of the walk along a ray, as it was come to.
+struct JuliaPlace {
+  Vec3 point;
+  double t;
+};
+
+// The slice of the fourfold space that is seen, and how far its points are followed.
+struct JuliaSlice {
+  Vec4 normal;
+  double distance;
+  int iterations;
+  double escape2;  // squares beyond have left
+
+  // The point in fourfold space.
+  Vec4 start(const Vec3& p) const {
+    return {p.x, p.y, p.z,
+            (distance - normal.x * p.x - normal.y * p.y - normal.z * p.z) / normal.w};
+  }
+};
 
 struct QuaternionSquare {
   using Number = Vec4;
@@ -35,12 +67,18 @@ struct QuaternionSquare {
   static constexpr double kDegree = 2;
   Vec4 c;
 
-  Vec4 operator()(const Vec4& z) const {
-    return Vec4(z.x * z.x - (z.y * z.y + z.z * z.z + z.w * z.w), 2 * z.x * z.y, 2 * z.x * z.z,
-                2 * z.x * z.w) +
-           c;
+  Vec4 operator()(const Vec4& z) const { return image(z, QuaternionSquares(z)); }
+  template <typename Numbers, typename Squares>
+  [[gnu::always_inline]] Numbers image(const Numbers& z, const Squares& squares) const {
+    return {squares.real - squares.rest + c.x, 2.0 * z.x * z.y + c.y, 2.0 * z.x * z.z + c.z,
+            2.0 * z.x * z.w + c.w};
   }
-  static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
+  static double squared_size(const Vec4& z) { return QuaternionSquares(z).sum(); }
+  // How far the images of two numbers are apart at most, one of that size and one `apart` from it.
+  template <typename Number>
+  [[gnu::always_inline]] static Number spread(const Number& size, const Number& apart) {
+    return apart * (2 * size + apart);
+  }
   // The image of a tangent v at z, up to a factor.
   static Vec4 carry(const Vec4& z, const Vec4& v) {
     return {z.x * v.x - z.y * v.y - z.z * v.z - z.w * v.w, v.x * z.y + z.x * v.y,
@@ -54,11 +92,18 @@ struct QuaternionCube {
   static constexpr double kDegree = 3;
   Vec4 c;
 
-  Vec4 operator()(const Vec4& z) const {
-    const double x2 = z.x * z.x, d = z.y * z.y + z.z * z.z + z.w * z.w, factor = 3 * x2 - d;
-    return Vec4(z.x * (x2 - 3 * d), z.y * factor, z.z * factor, z.w * factor) + c;
+  Vec4 operator()(const Vec4& z) const { return image(z, QuaternionSquares(z)); }
+  template <typename Numbers, typename Squares>
+  [[gnu::always_inline]] Numbers image(const Numbers& z, const Squares& squares) const {
+    const auto factor = 3.0 * squares.real - squares.rest;
+    return {z.x * (squares.real - 3.0 * squares.rest) + c.x, z.y * factor + c.y,
+            z.z * factor + c.z, z.w * factor + c.w};
   }
-  static double squared_size(const Vec4& z) { return quaternion_squared_size(z); }
+  static double squared_size(const Vec4& z) { return QuaternionSquares(z).sum(); }
+  template <typename Number>
+  [[gnu::always_inline]] static Number spread(const Number& size, const Number& apart) {
+    return apart * (3 * size * (size + apart) + apart * apart);
+  }
   static Vec4 carry(const Vec4& z, const Vec4& v) {
     const double t = 2 * (z.y * v.y + z.z * v.z + z.w * v.w);
     const double d = z.y * z.y + z.z * z.z + z.w * z.w;
