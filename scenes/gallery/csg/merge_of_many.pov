@@ -1,7 +1,7 @@
 // Clear merges of more convex solids than one sweep takes, most of them within others: all inside, and
 // with merges, unions and a torus among the members, cut by a sphere.
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 6 }
+global_settings { assumed_gamma 1 max_trace_level 3 }
 camera { location <0, 2, -9> look_at 0 }
 light_source { <10, 20, -20> rgb 1 }
 background { rgb <.4, .5, .7> }
