@@ -139,43 +139,27 @@ DURER_INLINE JuliaPlace border(const Map& map, const JuliaSlice& slice, JuliaPla
 
 }  // namespace
 
-DURER_KERNEL bool look_for_set(const QuaternionSquare& map, const JuliaSlice& slice,
-                               const Vec3& point, double& distance) {
-  return look(map, slice, point, distance);
-}
-DURER_KERNEL bool look_for_set(const QuaternionCube& map, const JuliaSlice& slice,
-                               const Vec3& point, double& distance) {
-  return look(map, slice, point, distance);
-}
-
-DURER_KERNEL bool approach_set(const QuaternionSquare& map, const JuliaSlice& slice,
-                               const QuaternionWalk& walk) {
-  return approach(map, slice, walk);
-}
-DURER_KERNEL bool approach_set(const QuaternionCube& map, const JuliaSlice& slice,
-                               const QuaternionWalk& walk) {
-  return approach(map, slice, walk);
-}
-
-
-DURER_KERNEL bool cross_set(const QuaternionSquare& map, const JuliaSlice& slice,
-                            const QuaternionWalk& walk) {
-  return cross(map, slice, walk);
-}
-DURER_KERNEL bool cross_set(const QuaternionCube& map, const JuliaSlice& slice,
-                            const QuaternionWalk& walk) {
-  return cross(map, slice, walk);
-}
-
-DURER_KERNEL JuliaPlace find_border(const QuaternionSquare& map, const JuliaSlice& slice,
-                                    const JuliaPlace& place, double step, const Vec3& direction,
-                                    bool was_inside) {
-  return border(map, slice, place, step, direction, was_inside);
-}
-DURER_KERNEL JuliaPlace find_border(const QuaternionCube& map, const JuliaSlice& slice,
-                                    const JuliaPlace& place, double step, const Vec3& direction,
-                                    bool was_inside) {
-  return border(map, slice, place, step, direction, was_inside);
-}
+// The kernels of one map.
+#define DURER_WALK(Map)                                                                            \
+  DURER_KERNEL bool look_for_set(const Map& map, const JuliaSlice& slice, const Vec3& point,      \
+                                 double& distance) {                                              \
+    return look(map, slice, point, distance);                                                     \
+  }                                                                                               \
+  DURER_KERNEL bool approach_set(const Map& map, const JuliaSlice& slice,                         \
+                                 const QuaternionWalk& walk) {                                    \
+    return approach(map, slice, walk);                                                            \
+  }                                                                                               \
+  DURER_KERNEL bool cross_set(const Map& map, const JuliaSlice& slice,                            \
+                              const QuaternionWalk& walk) {                                       \
+    return cross(map, slice, walk);                                                               \
+  }                                                                                               \
+  DURER_KERNEL JuliaPlace find_border(const Map& map, const JuliaSlice& slice,                    \
+                                      const JuliaPlace& place, double step,                       \
+                                      const Vec3& direction, bool was_inside) {                   \
+    return border(map, slice, place, step, direction, was_inside);                                \
+  }
+DURER_WALK(QuaternionSquare)
+DURER_WALK(QuaternionCube)
+#undef DURER_WALK
 
 }  // namespace durer
